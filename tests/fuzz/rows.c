@@ -65,12 +65,12 @@ static int read_points(const char *path, int dimension, shard part, graze_format
     answer_task task = {.context = &o,
                         .scene = scene,
                         .rows = &rows_of,
-                        .source = {csv_columns(points), NULL, part, written}};
+                        .source = {&points->columns, NULL, part, written}};
     EXPECT(answerer_init(&a, &task) == EXIT_DONE);
     block_reset(b, 0);
     int status = csv_fill(points, b, BLOCK_ROWS);
     EXPECT(status == EXIT_DONE || status == EXIT_INPUT || status == EXIT_LIMIT);
-    EXPECT((status == EXIT_DONE) == (csv_fault(points)->status == 0));
+    EXPECT((status == EXIT_DONE) == (points->fault.status == 0));
     rows = answer_block(&a, b);
     answerer_clear(&a);
     csv_close(points);
@@ -100,15 +100,15 @@ static void check_grid(const grid *g, int d, graze_rationals low, graze_rational
     EXPECT(points != NULL);
     for (size_t k = 0; k < 3 * RUN_ROWS; k++)
         mpq_init(points[k]);
-    unsigned long count = grid_count(g);
+    unsigned long count = g->count;
     size_t n = count < RUN_ROWS ? count : RUN_ROWS;
-    grid_points(points, g, (shard){0, 1}, 0, n);
+    graze_grid_points(points, g->points, 0, 1, n);
     for (size_t k = 0; k < n * (size_t)d; k++)
         EXPECT(mpq_cmp(low[k % (size_t)d], points[k]) <= 0 &&
                mpq_cmp(points[k], high[k % (size_t)d]) <= 0);
     for (int k = 0; k < d; k++)
         EXPECT(mpq_equal(points[k], low[k]));
-    grid_points(points, g, (shard){0, 1}, count - 1, 1);
+    graze_grid_points(points, g->points, count - 1, 1, 1);
     for (int k = 0; k < d; k++)
         EXPECT(mpq_equal(points[k], high[k]));
     for (size_t k = 0; k < 3 * RUN_ROWS; k++)

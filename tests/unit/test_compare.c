@@ -137,6 +137,21 @@ static void closed_question(void **state) {
     expect(&o, 1, 6, 0, 0, 0);
 }
 
+/* In a table of Graze a column `topo` is its answer if the head says so, else one of the points. */
+static void closed_question_of_carried_columns(void **state) {
+    (void)state;
+    graze_compare_options o = {.size = sizeof o, .question = GRAZE_QUESTION_CLOSED};
+    static const char row[] = "x,y,pmc,i,t,word,topo\n1,0,on,0,2,OBOBO,interior\n# complete 1\n";
+    char table[200];
+    write_file(candidate_path, "x,y,pmc\n1,0,in\n");
+    snprintf(table, sizeof table, "# graze 1\n# topo yes\n%s", row);
+    write_file(golden_path, table);
+    expect(&o, 1, 0, 0, 0, 0);
+    snprintf(table, sizeof table, "# graze 1\n%s", row);
+    write_file(golden_path, table);
+    expect(&o, 0, 0, 1, 0, 0);
+}
+
 /* A position that is none of an `on` point is refused by name, and no reason to leave a row out. */
 static void closed_question_of_other_words(void **state) {
     (void)state;
@@ -429,6 +444,7 @@ int main(void) {
         cmocka_unit_test(on_counts_as),
         cmocka_unit_test(distances),
         cmocka_unit_test(closed_question),
+        cmocka_unit_test(closed_question_of_carried_columns),
         cmocka_unit_test(closed_question_in_space),
         cmocka_unit_test(closed_question_of_other_words),
         cmocka_unit_test(rows_missing_and_extra),

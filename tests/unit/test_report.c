@@ -269,8 +269,14 @@ static void rows(void **state) {
 /* Readers have room for the names of all sets together. */
 static void column_names(void **state) {
     (void)state;
-    field name[COLUMNS_MOST];
-    assert_true(columns_names(name, ~0u) < COLUMNS_MOST);
+    const column_label *name[COLUMNS_MOST];
+    size_t count = columns_names(name, ~0u);
+    assert_true(count < COLUMNS_MOST);
+    for (size_t k = 0; k < count; k++)
+        assert_ptr_equal(columns_known(k).name, name[k]->name);
+    assert_null(columns_known(count).name);
+    assert_string_equal(columns_known(columns_place("topo")).name, "topo");
+    assert_int_equal(columns_known(columns_place("topo")).bit, 1u << 4);
     assert_int_equal(columns_names(name, 1), 3);
     assert_int_equal(columns_of_line((field){"# topo yes", 10}), 1u << 4);
     assert_int_equal(columns_of_line((field){"# topo no", 9}), 0);

@@ -128,7 +128,7 @@ static graze_status put_key(text *out, const row_key *key, const table *t, const
         TRY(put_key_number(out, value, t, row, key->at[k]));
         text_put(out, " ");
     }
-    return out->failed ? table_no_memory(t) : GRAZE_OK;
+    return out->failed ? comparison_no_memory(t->in.context) : GRAZE_OK;
 }
 
 graze_status key_make(table_row *row, const row_key *key, const table *t) {
@@ -141,24 +141,15 @@ graze_status key_make(table_row *row, const row_key *key, const table *t) {
     return GRAZE_OK;
 }
 
-/* The golden column of each grouping. */
-static const column by[GROUPING_COUNT] = {COLUMN_STRATUM, COLUMN_K,          COLUMN_SDF_LOW,
-                                          COLUMN_CLASS,   COLUMN_DEFINITION, COLUMN_CASE,
-                                          COLUMN_STATUS,  COLUMN_ROLE};
-
-column grouping_column(grouping g) {
-    return by[g];
-}
-
-const char *grouping_name(grouping g) {
-    return g == BY_SDF ? "sdf" : column_name(by[g]);
-}
-
-const char *grouping_title(grouping g) {
-    return g == BY_DISTANCE ? "k (distance 2^-k)"
-           : g == BY_SDF    ? "sdf (the power of ten below its size)"
-                            : grouping_name(g);
-}
+const struct grouped groupings[GROUPING_COUNT] = {
+    {COLUMN_STRATUM, "stratum"},
+    {COLUMN_K, "k (distance 2^-k)"},
+    {COLUMN_SDF, "sdf (the power of ten below its size)"},
+    {COLUMN_CLASS, "class"},
+    {COLUMN_DEFINITION, "definition"},
+    {COLUMN_CASE, "case"},
+    {COLUMN_STATUS, "status"},
+    {COLUMN_ROLE, "role"}};
 
 static graze_status check_golden(const table *t) {
     static const char *const pmc = "pmc";
@@ -200,17 +191,17 @@ static graze_status choose_columns(graze_comparison *c, const table *golden,
                                "has no column sdf; expected a signed distance in a column of that "
                                "name%s",
                                meant);
-    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++) {
-        if (!judged_of(*j, 0) || *j == COLUMN_SDF)
+    for (column j = COLUMN_X; j < COLUMN_OPTIONS; j++) {
+        if (!judged_of(j, 0))
             continue;
-        int answered = candidate->where[*j] >= 0;
+        int answered = candidate->where[j] >= 0;
         int open = c->options.question == GRAZE_QUESTION_OPEN && !c->options.motion_error;
-        c->judged[*j] = *j == COLUMN_PMC ? answered || sdf : answered && open && !sdf;
-        if (c->judged[*j] && golden->where[*j] < 0)
+        c->judged[j] = j == COLUMN_PMC ? answered || sdf : answered && open && !sdf;
+        if (c->judged[j] && golden->where[j] < 0)
             return context_fail_in(golden->in.context, GRAZE_EINPUT, golden->in.name, 0,
                                    "has no column %s; expected one to judge that of %s by",
-                                   column_name(*j), candidate->in.name);
-        any |= c->judged[*j];
+                                   column_name(j), candidate->in.name);
+        any |= c->judged[j];
     }
     if (!any)
         return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
@@ -257,5 +248,5 @@ int grouping_is_of(const graze_comparison *c, const table *golden, grouping g) {
     if (g == BY_SDF)
         return c->enclosed;
     int of_contacts = g == BY_STATUS || g == BY_ROLE, of_both = g == BY_STRATUM || g == BY_DISTANCE;
-    return golden->where[grouping_column(g)] >= 0 && (of_both || of_contacts == c->contacts);
+    return golden->where[groupings[g].of] >= 0 && (of_both || of_contacts == c->contacts);
 }

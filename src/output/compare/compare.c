@@ -20,11 +20,11 @@ typedef struct run {
 } run;
 
 static graze_status check_rounding(graze_comparison *c, run *r, const char *path) {
-    column columns[COLUMN_COUNT];
+    column columns[COLUMN_OPTIONS];
     size_t count = 0;
-    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++)
-        if (c->judged[*j] && *j != COLUMN_SDF)
-            columns[count++] = *j;
+    for (column j = COLUMN_X; j < COLUMN_OPTIONS; j++)
+        if (c->judged[j] && j != COLUMN_SDF)
+            columns[count++] = j;
     if (c->rounding == GRAZE_ROUND_NONE || c->key.by_id)
         return GRAZE_OK;
     return match_rounding(r->context, &r->golden, path, &c->key, columns, count);
@@ -46,14 +46,6 @@ static graze_status start(graze_comparison *c, run *r, const char *golden, const
     return check_rounding(c, r, golden);
 }
 
-/* Is a column shown beside a disagreement of points? */
-static int is_shown(const graze_comparison *c, column col, int candidate) {
-    if (candidate && c->options.has == GRAZE_HAS_SDF)
-        return col == COLUMN_SDF;
-    int bound = col == COLUMN_SDF_LOW || col == COLUMN_SDF_HIGH;
-    return (col >= COLUMN_PMC && col <= COLUMN_TOPO) || (bound && c->enclosed && !candidate);
-}
-
 static void put_shown_answer(text *out, const table *t, const table_row *row, column which) {
     field f = table_field(t, row, which);
     if (t->where[which] < 0)
@@ -62,17 +54,23 @@ static void put_shown_answer(text *out, const table *t, const table_row *row, co
     text_bytes(out, f.start, f.length);
 }
 
+/* Is a column shown beside a disagreement of points: an answer, or a word for an option? */
+static int is_shown(column c) {
+    const column_set *set = c < COLUMN_OPTIONS ? NULL : columns_known(c - COLUMN_OPTIONS).set;
+    return (c >= COLUMN_PMC && c <= COLUMN_T) || c == COLUMN_WORD || (set && set->word);
+}
+
 /* Append the answers of a row, as `pmc=on i=0`; for a contact point its time and judged columns. */
 static void put_answers(text *out, const graze_comparison *c, const table *t, const table_row *row,
                         int candidate) {
-    for (int col = 0; col < COLUMN_COUNT && !c->contacts; col++)
-        if (is_shown(c, (column)col, candidate))
-            put_shown_answer(out, t, row, (column)col);
+    int sdf = candidate && c->options.has == GRAZE_HAS_SDF;
     if (c->contacts)
         put_shown_answer(out, t, row, COLUMN_TIME);
-    for (const column *j = judged_columns; *j != COLUMN_COUNT && c->contacts; j++)
-        if (c->judged[*j])
-            put_shown_answer(out, t, row, *j);
+    for (column k = COLUMN_X; k < COLUMN_COUNT; k++)
+        if (c->contacts ? k < COLUMN_OPTIONS && c->judged[k] : sdf ? k == COLUMN_SDF : is_shown(k))
+            put_shown_answer(out, t, row, k);
+    for (int k = 0; k < 2 && c->enclosed && !candidate; k++)
+        put_shown_answer(out, t, row, column_of("sdf") + (column)k);
 }
 
 /* A row's point (which = 0) or answers (1 golden, 2 candidate), malloc'ed. */
@@ -124,7 +122,7 @@ static graze_status count_groups(graze_comparison *c, const run *r, const table_
         TRY(comparison_no_memory(r->context));
     for (int g = 0; g < GROUPING_COUNT; g++) {
         field name = g == BY_SDF ? (field){value->decade, strlen(value->decade)}
-                                 : table_field(&r->golden, row, grouping_column((grouping)g));
+                                 : table_field(&r->golden, row, groupings[g].of);
         if (c->grouped[g] && (name.length || g != BY_DISTANCE))
             TRY(tally_add(&c->tallies[g], r->context, name, what, error));
     }
@@ -150,7 +148,7 @@ static graze_status count_contacts(graze_comparison *c, run *r, const table_row 
     judgement j = {{0}, 0, {0}, 0, 0};
     valuation none = {.certain = 1};
     TRY(sites_judge(j.wrong, c, &r->golden, golden, &r->candidate, candidate));
-    for (int k = 0; k < COLUMN_COUNT; k++)
+    for (int k = 0; k < COLUMN_OPTIONS; k++)
         j.any_wrong |= j.wrong[k];
     return count_row(c, r, golden, candidate, &j, &none, PMC_ON);
 }
@@ -160,7 +158,7 @@ static graze_status count_contacts(graze_comparison *c, run *r, const table_row 
 static graze_status count_open(graze_comparison *c, run *r, const table_row *golden,
                                const table_row *candidate) {
     static const char *const none = "undecided";
-    const int known[COLUMN_COUNT] = {[COLUMN_PMC] = c->judged[COLUMN_PMC]};
+    const int known[COLUMN_OPTIONS] = {[COLUMN_PMC] = c->judged[COLUMN_PMC]};
     answer given = {-1, -1, 0, 0, {"", 0}};
     judgement j = {.undecided = 1};
     valuation value = {.certain = 1};
@@ -176,7 +174,7 @@ static graze_status count_open(graze_comparison *c, run *r, const table_row *gol
 static graze_status count_pair(graze_comparison *c, run *r, const table_row *golden,
                                const table_row *candidate, const int *judged) {
     answer right, given = {-1, -1, 0, 0, {"", 0}};
-    int known[COLUMN_COUNT];
+    int known[COLUMN_OPTIONS];
     memcpy(known, judged, sizeof known);
     known[COLUMN_PMC] = 1;
     TRY(answer_read(&right, &r->golden, golden, known, 0));
@@ -204,7 +202,7 @@ static graze_status count_answers(graze_comparison *c, run *r, const table_row *
                                   const table_row *candidate) {
     static const char *const none = "undecided";
     field word = table_field(&r->golden, golden, COLUMN_WORD);
-    int judged[COLUMN_COUNT], pmc = field_is(table_field(&r->golden, golden, COLUMN_PMC), none);
+    int judged[COLUMN_OPTIONS], pmc = field_is(table_field(&r->golden, golden, COLUMN_PMC), none);
     memcpy(judged, c->judged, sizeof judged);
     if (pmc || field_is(table_field(&r->golden, golden, COLUMN_CLASS), none) ||
         memchr(word.start, '?', word.length))

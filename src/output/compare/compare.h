@@ -10,6 +10,7 @@
 #include "decide/scene/scene.h"
 #include "graze/compare.h"
 #include "input/delimited/delimited.h"
+#include "output/report/report.h"
 #include "questions/generate/generate.h"
 #include "questions/judge/judge.h"
 
@@ -97,28 +98,24 @@ typedef struct errors {
 
 /* Columns, and the keys and ways by which rows are matched. */
 
-/** Columns that a comparison uses; others are skipped. Columns from COLUMN_TIME on are those of
- * tables of contact points. */
+/** Columns that a comparison uses; others are skipped. Those from COLUMN_OPTIONS on are the columns
+ * of options of graze classify, in the order of columns_known (output/report/columns.h). Reports
+ * have columns in this order. */
 typedef enum column {
     COLUMN_X,
     COLUMN_Y,
     COLUMN_Z,
     COLUMN_ID,
+    COLUMN_STRATUM,
+    COLUMN_ORDER,
+    COLUMN_K,
     COLUMN_PMC,
     COLUMN_CLASS,
     COLUMN_DEFINITION,
     COLUMN_CASE,
     COLUMN_I,
     COLUMN_T,
-    COLUMN_WORD,
-    COLUMN_TOPO,
-    COLUMN_STRATUM,
-    COLUMN_ORDER,
     COLUMN_CELL,
-    COLUMN_K,
-    COLUMN_SDF,
-    COLUMN_SDF_LOW,
-    COLUMN_SDF_HIGH,
     COLUMN_TIME,
     COLUMN_BX,
     COLUMN_BY,
@@ -133,8 +130,11 @@ typedef enum column {
     COLUMN_STATUS,
     COLUMN_NEAR,
     COLUMN_NEAR_IN,
+    COLUMN_WORD,
     COLUMN_SHIFT,
-    COLUMN_COUNT
+    COLUMN_SDF,
+    COLUMN_OPTIONS,
+    COLUMN_COUNT = COLUMN_OPTIONS + COLUMNS_MOST
 } column;
 
 /** Columns that make a row's key: `id` alone, or columns of numbers; none if rows are matched by
@@ -229,16 +229,16 @@ struct graze_comparison {
     row_key key;                               /* columns by which rows are matched */
     match_way way;                             /* way in which rows are matched */
     unsigned long drifted;                     /* rows matched by order alone whose points differ */
-    ceiling drift;             /* largest difference of a coordinate in these rows */
-    int judged[COLUMN_COUNT];  /* 1: the candidate answers this */
-    int lacking[COLUMN_COUNT]; /* of contact points: 1 if only the candidate lacks the column, 2 if
-                              only the golden table does */
-    int valued;                /* values are compared with the golden enclosures */
-    int enclosed;              /* golden enclosures are read */
-    fmpq_t tolerance, eta;     /* the tolerance of values, the motion error */
-    char *explain_options;     /* of `graze explain`, with a blank before each */
+    ceiling drift;               /* largest difference of a coordinate in these rows */
+    int judged[COLUMN_OPTIONS];  /* 1: the candidate answers this */
+    int lacking[COLUMN_OPTIONS]; /* of contact points: 1 if only the candidate lacks the column, 2
+                              if only the golden table does */
+    int valued;                  /* values are compared with the golden enclosures */
+    int enclosed;                /* golden enclosures are read */
+    fmpq_t tolerance, eta;       /* the tolerance of values, the motion error */
+    char *explain_options;       /* of `graze explain`, with a blank before each */
     unsigned long rows, agree, wrong, undecided, missing, extra;
-    unsigned long column_wrong[COLUMN_COUNT];
+    unsigned long column_wrong[COLUMN_OPTIONS];
     unsigned long wrong_as[CONVENTIONS];  /* rows that each convention would call wrong */
     unsigned long golden_on, answered_on; /* answered rows: golden `on`; candidate says `on` */
     unsigned long undecided_answers[3];   /* undecided rows by the candidate's answer */

@@ -55,65 +55,17 @@ static graze_status count_depth(ceiling *out, depths *d, graze_context *context,
         count_parts(d, falls ? high : low);
     return errors_add(&d->by[pmc], (value_error){*out, out->digits > 0, 0})
                ? GRAZE_OK
-               : context_fail(context, GRAZE_ESYSTEM, "out of memory");
+               : comparison_no_memory(context);
 }
 
 graze_status depth_take(ceiling *out, depths *d, const table *golden, const table_row *row,
                         int pmc) {
     graze_context *context = golden->in.context;
     LOCAL_VEC(fmpq, low, 2);
-    fmpq *high = low + 1;
     d->wrong++;
-    TRY(table_number(low, context, table_field(golden, row, COLUMN_SDF_LOW)));
-    TRY(table_number(high, context, table_field(golden, row, COLUMN_SDF_HIGH)));
-    return count_depth(out, d, context, pmc, low, high);
-}
-
-/* Take the size from the scene. GRAZE_ELIMIT, GRAZE_ECANCELED. */
-static graze_status depth_scale(depths *d, graze_context *context, const graze_scene *scene) {
-    double diagonal;
-    TRY(distance_diagonal(&diagonal, context, scene));
-    return rational_from_double(d->size, context, diagonal);
-}
-
-static graze_status enclose_deep(distance *out, graze_context *context, const graze_scene *scene,
-                                 const fmpq *point, double width) {
-    graze_trace trace;
-    graze_status status =
-        classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS);
-    if (status)
-        return status;
-    status = distance_find(out, context, scene, point, &trace, width);
-    trace_clear(&trace);
-    return status;
-}
-
-/* Bounds of a signed distance, as decimals, and the larger of their sizes. */
-typedef struct depth_bounds {
-    char low[BOUND_ROOM], high[BOUND_ROOM];
-    ceiling size;
-} depth_bounds;
-
-/* Enclose the signed distance of a wrong row's point to 1e-13 of the size, and count the row. The
- * text `point` has blanks between coordinates. */
-static graze_status depth_measure(depth_bounds *out, depths *d, graze_context *context,
-                                  const graze_scene *scene, const char *point, int pmc) {
-    slong dimension = scene->motion->dimension;
-    LOCAL_VEC(fmpq, at, dimension);
-    LOCAL_VEC(fmpq, low, 2);
-    fmpq *high = low + 1;
-    distance found;
-    for (slong k = 0; k < dimension; k++) {
-        size_t length = strcspn(point, " ");
-        TRY(rational_parse(at + k, context, point, length));
-        point += length + (point[length] == ' ');
-    }
-    TRY(enclose_deep(&found, context, scene, at, DEPTH_WIDTH * fmpq_get_d(d->size)));
-    TRY(rational_from_double(low, context, found.low));
-    TRY(rational_from_double(high, context, found.high));
-    report_bound(out->low, found.low, 0);
-    report_bound(out->high, found.high, 1);
-    return count_depth(&out->size, d, context, pmc, low, high);
+    for (int k = 0; k < 2; k++)
+        TRY(table_number(low + k, context, table_field(golden, row, column_of("sdf") + (column)k)));
+    return count_depth(out, d, context, pmc, low, low + 1);
 }
 
 graze_status comparison_no_memory(graze_context *context) {
@@ -142,7 +94,7 @@ char comparison_count(graze_comparison *c, const judgement *j, int answered) {
     c->wrong += what == 'w';
     c->undecided += what == 'u';
     c->agree += what == 'a';
-    for (int k = 0; answered && k < COLUMN_COUNT; k++)
+    for (int k = 0; answered && k < COLUMN_OPTIONS; k++)
         c->column_wrong[k] += (unsigned long)j->wrong[k];
     for (int k = 0; answered && k < CONVENTIONS; k++)
         c->wrong_as[k] += (unsigned long)j->wrong_as[k];
@@ -235,13 +187,30 @@ graze_status comparison_keep(disagreement **out, graze_comparison *c, graze_cont
     return GRAZE_OK;
 }
 
-/* Measure a wrong row, and append the enclosure to its golden answers. */
+/* Enclose the signed distance of a wrong row's point to 1e-13 of the size, count the row, and
+ * append the enclosure to its golden answers. */
 static graze_status measure_row(disagreement *d, graze_comparison *c, graze_context *context) {
-    depth_bounds found;
+    const graze_scene *scene = c->options.scene;
+    slong dimension = scene->motion->dimension;
+    const char *point = d->point;
+    char low[BOUND_ROOM], high[BOUND_ROOM];
+    LOCAL_VEC(fmpq, at, dimension);
+    LOCAL_VEC(fmpq, bounds, 2);
     HELD(text, all);
-    TRY(depth_measure(&found, &c->depth, context, c->options.scene, d->point, d->pmc));
-    d->depth = found.size;
-    text_format(&all, "%s sdf_low=%s sdf_high=%s", d->golden, found.low, found.high);
+    distance found;
+    for (slong k = 0; k < dimension; k++) {
+        size_t length = strcspn(point, " ");
+        TRY(rational_parse(at + k, context, point, length));
+        point += length + (point[length] == ' ');
+    }
+    TRY(distance_at(&found, &(graze_pmc){0}, context, scene, at,
+                    DEPTH_WIDTH * fmpq_get_d(c->depth.size)));
+    TRY(rational_from_double(bounds, context, found.low));
+    TRY(rational_from_double(bounds + 1, context, found.high));
+    TRY(count_depth(&d->depth, &c->depth, context, d->pmc, bounds, bounds + 1));
+    report_bound(low, found.low, 0);
+    report_bound(high, found.high, 1);
+    text_format(&all, "%s sdf_low=%s sdf_high=%s", d->golden, low, high);
     free(d->golden);
     d->golden = text_take(&all);
     return d->golden ? GRAZE_OK : comparison_no_memory(context);
@@ -250,7 +219,12 @@ static graze_status measure_row(disagreement *d, graze_comparison *c, graze_cont
 graze_status comparison_finish(graze_comparison *c, graze_context *context) {
     c->by_depth = !c->contacts && (c->enclosed || c->options.scene);
     int measured = c->by_depth && !c->enclosed;
-    graze_status status = measured ? depth_scale(&c->depth, context, c->options.scene) : GRAZE_OK;
+    double diagonal;
+    graze_status status = GRAZE_OK;
+    if (measured)
+        status = distance_diagonal(&diagonal, context, c->options.scene);
+    if (measured && !status)
+        status = rational_from_double(c->depth.size, context, diagonal);
     for (size_t k = 0; k < c->shown && measured && !status; k++)
         if (c->disagreements[k].pmc >= 0)
             status = measure_row(&c->disagreements[k], c, context);

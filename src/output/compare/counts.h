@@ -96,10 +96,6 @@ int judged_of(column c, int contacts);
 extern const char *const pmc_words[3];
 enum { PMC_IN, PMC_ON, PMC_OUT };
 
-/** The name of a grouping, and a longer one for the head of a table. Static. */
-const char *grouping_name(grouping g);
-const char *grouping_title(grouping g);
-
 /** The most wrong rows of one stratum that are shown if the deepest ones come first. */
 enum { MOST_OF_STRATUM = 2 };
 
@@ -136,7 +132,7 @@ int comparison_begin(graze_comparison *c, const graze_context *context, const ch
 
 /** The judgement of a row. */
 typedef struct judgement {
-    int wrong[COLUMN_COUNT];
+    int wrong[COLUMN_OPTIONS];
     int any_wrong;
     int wrong_as[CONVENTIONS]; /* any_wrong under each convention for `on` */
     int undecided; /* the golden answer is `on`, and the point may be interior to the closed sweep;

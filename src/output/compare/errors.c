@@ -158,7 +158,7 @@ graze_status tally_add(tally *t, graze_context *context, field name, char status
     if (!g)
         g = append(t, name);
     if (!g || (value && !add_value(g, value)))
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+        return comparison_no_memory(context);
     g->rows++;
     g->wrong += status == 'w';
     g->undecided += status == 'u';

@@ -24,23 +24,26 @@ static const figure volumes[VOLUME_COUNT] = {
     {"excess", "excess volume, in the mesh and not in the sweep"}};
 
 typedef struct bounds {
-    char low[BOUND_ROOM], high[BOUND_ROOM];
+    double low, high;
 } bounds;
 
-static void set_bounds(bounds *out, double low, double high) {
-    report_bound(out->low, low, 0);
-    report_bound(out->high, high, 1);
+static bounds bounds_of_rationals(const fmpq_t low, const fmpq_t high) {
+    bounds out;
+    double unused;
+    rational_bounds(&out.low, &unused, low);
+    rational_bounds(&unused, &out.high, high);
+    return out;
 }
 
-static void bounds_of_rationals(bounds *out, const fmpq_t low, const fmpq_t high) {
-    double least, most, unused;
-    rational_bounds(&least, &unused, low);
-    rational_bounds(&unused, &most, high);
-    set_bounds(out, least, most);
+static bounds enclosed_volume(const graze_judgement *j, int which) {
+    return bounds_of_rationals(j->searched.volume + 2 * which, j->searched.volume + 2 * which + 1);
 }
 
-static void enclosed_volume(bounds *out, const graze_judgement *j, int which) {
-    bounds_of_rationals(out, j->searched.volume + 2 * which, j->searched.volume + 2 * which + 1);
+static void put_bounds(text *t, bounds b) {
+    char low[BOUND_ROOM], high[BOUND_ROOM];
+    report_bound(low, b.low, 0);
+    report_bound(high, b.high, 1);
+    text_format(t, "[%s, %s]", low, high);
 }
 
 static int is_reached(const graze_judgement *j) {
@@ -96,13 +99,11 @@ static void put_spot(text *t, const double *at) {
 
 static void put_greatest(text *t, const graze_judgement *j, graze_judged which) {
     const supremum *s = &j->searched.found[which];
-    bounds b;
-    set_bounds(&b, s->low, s->high);
     if (isinf(s->low)) {
         text_put(t, "infinite: the mesh is empty");
         return;
     }
-    text_format(t, "[%s, %s]", b.low, b.high);
+    put_bounds(t, (bounds){s->low, s->high});
     if (s->low > 0) {
         text_put(t, " at ");
         put_spot(t, s->at);
@@ -117,16 +118,18 @@ static void put_greatest(text *t, const graze_judgement *j, graze_judged which) 
                                                   : ", perhaps a seam of the sweep");
 }
 
+static void put_volume(text *t, const char *bullet, const char *title, bounds b) {
+    text_format(t, "%s%s: ", bullet, title);
+    put_bounds(t, b);
+    text_put(t, "\n");
+}
+
 static void put_volumes(text *t, const graze_judgement *j, const char *bullet) {
-    bounds b;
-    for (int k = 0; k < (j->searched.has_difference ? VOLUME_COUNT : 1); k++) {
-        enclosed_volume(&b, j, k);
-        text_format(t, "%s%s: [%s, %s]\n", bullet, volumes[k].title, b.low, b.high);
-    }
-    if (j->mesh->judged.rule != GRAZE_MESH_WINDING)
-        return;
-    bounds_of_rationals(&b, j->mesh->judged.volume, j->mesh->judged.volume);
-    text_format(t, "%svolume of the mesh: [%s, %s]\n", bullet, b.low, b.high);
+    for (int k = 0; k < (j->searched.has_difference ? VOLUME_COUNT : 1); k++)
+        put_volume(t, bullet, volumes[k].title, enclosed_volume(j, k));
+    if (j->mesh->judged.rule == GRAZE_MESH_WINDING)
+        put_volume(t, bullet, "volume of the mesh",
+                   bounds_of_rationals(j->mesh->judged.volume, j->mesh->judged.volume));
 }
 
 static void put_reached(text *t, const graze_judgement *j, const char *bullet) {
@@ -163,9 +166,9 @@ static void put_markdown(text *t, const graze_judgement *j) {
     put_distances(t, j, "| ", " | ", " |\n");
 }
 
-static void json_bounds(json_writer *w, const bounds *b) {
-    json_number(w, "low", b->low);
-    json_number(w, "high", b->high);
+static void json_bounds(json_writer *w, bounds b) {
+    json_bound(w, "low", b.low, 0);
+    json_bound(w, "high", b.high, 1);
 }
 
 static void json_place(json_writer *w, const char *key, const double *at) {
@@ -177,14 +180,12 @@ static void json_place(json_writer *w, const char *key, const double *at) {
 
 static void json_greatest(json_writer *w, const graze_judgement *j, graze_judged which) {
     const supremum *s = &j->searched.found[which];
-    bounds b;
     if (isinf(s->low)) {
         json_text(w, distances[which].key, NULL);
         return;
     }
-    set_bounds(&b, s->low, s->high);
     json_open(w, distances[which].key, '{');
-    json_bounds(w, &b);
+    json_bounds(w, (bounds){s->low, s->high});
     if (s->low > 0) {
         json_place(w, "at", s->at);
         json_double(w, "t", s->time);
@@ -231,16 +232,14 @@ static void json_mesh(json_writer *w, const graze_judgement *j) {
 }
 
 static void json_volume(json_writer *w, const graze_judgement *j) {
-    bounds b;
     json_open(w, "volume", '{');
     for (int k = 0; k < VOLUME_COUNT; k++) {
         if (k != IN_SWEEP && !j->searched.has_difference) {
             json_text(w, volumes[k].key, NULL);
             continue;
         }
-        enclosed_volume(&b, j, k);
         json_open(w, volumes[k].key, '{');
-        json_bounds(w, &b);
+        json_bounds(w, enclosed_volume(j, k));
         json_close(w, '}');
     }
     if (j->mesh->judged.rule == GRAZE_MESH_WINDING)

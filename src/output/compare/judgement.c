@@ -15,15 +15,10 @@
 const char *const pmc_words[3] = {"in", "on", "out"};
 const char *const class_words[5] = {"regular", "fold", "fold_boundary", "boundary", "exterior"};
 
-const column judged_columns[] = {
-    COLUMN_PMC,         COLUMN_CLASS, COLUMN_I,       COLUMN_T,
-    COLUMN_CELL,        COLUMN_ROLE,  COLUMN_THETA,   COLUMN_CONTACT_ORDER,
-    COLUMN_ORIENTATION, COLUMN_LEFT,  COLUMN_RIGHT,   COLUMN_TRIMMED,
-    COLUMN_STATUS,      COLUMN_NEAR,  COLUMN_NEAR_IN, COLUMN_WORD,
-    COLUMN_SHIFT,       COLUMN_SDF,   COLUMN_COUNT};
-
 int judged_of(column c, int contacts) {
-    return c == COLUMN_WORD || (c == COLUMN_CELL || c >= COLUMN_ROLE) == contacts;
+    return contacts ? c == COLUMN_CELL || (c >= COLUMN_ROLE && c <= COLUMN_SHIFT)
+                    : c == COLUMN_PMC || c == COLUMN_CLASS || c == COLUMN_I || c == COLUMN_T ||
+                          c == COLUMN_WORD;
 }
 
 graze_status judged_no_answer(const table *t, const table_row *row, column c, const char *right) {
@@ -138,11 +133,12 @@ static int surely_boundary(const table *t, const table_row *row) {
 graze_status judged_position(const graze_comparison *c, const table *golden, const table_row *row,
                              int pmc) {
     static const char *const positions[] = {"interior", "boundary", "undecided"};
-    field topo = table_field(golden, row, COLUMN_TOPO);
+    field topo = table_field(golden, row, column_of("topo"));
     int read = c->options.question == GRAZE_QUESTION_CLOSED && pmc == PMC_ON && topo.length > 0;
     if (!read || index_of(topo, positions, 3) >= 0)
         return GRAZE_OK;
-    return judged_no_answer(golden, row, COLUMN_TOPO, "interior, boundary or undecided for `on`");
+    return judged_no_answer(golden, row, column_of("topo"),
+                            "interior, boundary or undecided for `on`");
 }
 
 /* The golden pmc under the question asked, of the open or the closed sweep. */
@@ -151,7 +147,7 @@ static int truth_of(int *undecided, const graze_comparison *c, const table *t, c
     *undecided = 0;
     if (c->options.question == GRAZE_QUESTION_OPEN || pmc != PMC_ON)
         return pmc;
-    field topo = table_field(t, row, COLUMN_TOPO);
+    field topo = table_field(t, row, column_of("topo"));
     if (field_is(topo, "interior"))
         return PMC_IN;
     if (!field_is(topo, "boundary"))
@@ -189,7 +185,7 @@ judgement judge(const graze_comparison *c, const int *judged, const table *golde
     j.wrong[COLUMN_T] = judged[COLUMN_T] && right->t != given->t;
     j.wrong[COLUMN_WORD] = judged[COLUMN_WORD] && !field_equal(right->word, given->word);
     j.wrong[COLUMN_SDF] = judged[COLUMN_SDF] && value->judged && value->error.beyond;
-    for (int k = 0; k < COLUMN_COUNT; k++)
+    for (int k = 0; k < COLUMN_OPTIONS; k++)
         j.any_wrong |= j.wrong[k];
     for (int k = 0; k < CONVENTIONS; k++)
         j.wrong_as[k] = j.any_wrong;

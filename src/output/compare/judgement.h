@@ -11,9 +11,6 @@
 
 /* The answers of a row, and the judgement of the candidate's. */
 
-/** The columns that are judged, ended by COLUMN_COUNT, of tables of points and of contact points;
- * both have COLUMN_WORD. */
-extern const column judged_columns[];
 /** Names of the classes, in the order of the matrix. */
 extern const char *const class_words[5];
 
@@ -102,13 +99,14 @@ const char *comparison_hint(const graze_comparison *c);
 /** The command that explains a disagreement, malloc'ed; NULL when out of memory. */
 char *explain_command(const graze_comparison *c, const disagreement *d);
 
-/* The part of a comparison's report on the errors of values. */
-/** Write the question, and the errors of all values. */
-void put_values(text *out, const graze_comparison *c);
-/** Write the errors by stratum, k and distance. */
-void put_values_by(text *out, const graze_comparison *c);
+/* Errors of values in reports. */
 
-/** Write the contents of put_values and put_values_by as members of a JSON object. */
-void put_json_values(json_writer *w, const graze_comparison *c);
+/** Groupings whose groups have errors of values in the report. */
+enum { SHOWN_BY = 3 };
+extern const grouping shown_by[SHOWN_BY];
+/** "outside" or "pseudo". */
+const char *truth_name(const graze_comparison *c);
+/** The number of values inside their enclosures. */
+unsigned long values_within(const errors *e);
 
 #endif

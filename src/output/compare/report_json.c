@@ -34,9 +34,9 @@ static void put_json_summary(json_writer *w, const graze_comparison *c) {
     json_count(w, "golden-rows-of-pmc-alone", c->of_pmc);
     json_count(w, "extra", c->extra);
     json_open(w, "wrong-by-column", '{');
-    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++)
-        if (c->judged[*j])
-            json_count(w, column_name(*j), c->column_wrong[*j]);
+    for (column j = COLUMN_X; j < COLUMN_OPTIONS; j++)
+        if (c->judged[j])
+            json_count(w, column_name(j), c->column_wrong[j]);
     json_close(w, '}');
     json_open(w, "undecided-answers", '{');
     for (int k = 0; k < 3; k++)
@@ -74,12 +74,64 @@ static void put_tallies(json_writer *w, const graze_comparison *c) {
         const tally *t = &c->tallies[by];
         if (!c->grouped[by])
             continue;
-        json_open(w, grouping_name((grouping)by), '[');
+        json_open(w, column_name(groupings[by].of), '[');
         for (size_t k = 0; k < t->count; k++)
             put_json_group(w, t->groups[k].name, &t->groups[k]);
         put_json_group(w, "(others)", &t->others);
         json_close(w, ']');
     }
+    json_close(w, '}');
+}
+
+/* Write errors as members of the JSON object that is open. */
+static void put_json_errors(json_writer *w, const graze_comparison *c, const errors *e) {
+    json_count(w, "values", e->rows);
+    json_count(w, "within", values_within(e));
+    json_count(w, "over", e->over);
+    json_count(w, "under", e->under);
+    if (c->options.sdf_tolerance)
+        json_count(w, "beyond", e->beyond);
+    put_json_quantiles(w, e, QUANTILES);
+    put_ceiling(w, "largest-over", e->largest_over);
+}
+
+static void put_json_group_errors(json_writer *w, const graze_comparison *c, const char *name,
+                                  const group *one) {
+    if (!one->values)
+        return;
+    json_open(w, NULL, '{');
+    json_text(w, "value", name);
+    put_json_errors(w, c, one->values);
+    json_close(w, '}');
+}
+
+static void put_json_errors_by(json_writer *w, const graze_comparison *c) {
+    json_open(w, "by", '{');
+    for (int b = 0; b < SHOWN_BY; b++) {
+        const tally *t = &c->tallies[shown_by[b]];
+        if (!c->grouped[shown_by[b]])
+            continue;
+        json_open(w, column_name(groupings[shown_by[b]].of), '[');
+        for (size_t k = 0; k < t->count; k++)
+            put_json_group_errors(w, c, t->groups[k].name, &t->groups[k]);
+        put_json_group_errors(w, c, "(others)", &t->others);
+        json_close(w, ']');
+    }
+    json_close(w, '}');
+}
+
+static void put_json_values(json_writer *w, const graze_comparison *c) {
+    if (c->options.motion_error) {
+        json_text(w, "motion-error", c->options.motion_error);
+        json_count(w, "undecided-by-motion-error", c->undecided_by_motion);
+    }
+    if (!c->valued)
+        return;
+    json_open(w, "errors-of-sdf", '{');
+    json_text(w, "truth", truth_name(c));
+    json_text(w, "tolerance", c->options.sdf_tolerance);
+    put_json_errors(w, c, &c->values);
+    put_json_errors_by(w, c);
     json_close(w, '}');
 }
 

@@ -86,9 +86,9 @@ void put_wrong_rows(text *out, const graze_comparison *c) {
         put_share(out, c->wrong, c->rows);
         text_put(out, " of the rows");
     }
-    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++)
-        if (c->judged[*j])
-            text_format(out, "; %s %lu", column_name(*j), c->column_wrong[*j]);
+    for (column j = COLUMN_X; j < COLUMN_OPTIONS; j++)
+        if (c->judged[j])
+            text_format(out, "; %s %lu", column_name(j), c->column_wrong[j]);
     text_put(out, "\n");
     put_apart(out, c);
     put_conventions(out, c);
@@ -183,12 +183,12 @@ void put_json_rows(json_writer *w, const graze_comparison *c) {
 
 static void put_lacking(text *out, const graze_comparison *c, int whose, const char *name) {
     int any = 0;
-    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++) {
-        if (c->lacking[*j] != whose)
+    for (column j = COLUMN_X; j < COLUMN_OPTIONS; j++) {
+        if (c->lacking[j] != whose)
             continue;
         if (!any)
             text_format(out, "not judged, since the %s has no such column:", name);
-        text_format(out, " %s", column_name(*j));
+        text_format(out, " %s", column_name(j));
         any = 1;
     }
     text_put(out, any ? "\n" : "");
@@ -207,17 +207,17 @@ void put_sites_by_column(text *out, const graze_comparison *c) {
     if (!c->contacts)
         return;
     text_put(out, "\n| column | agree | wrong |\n|---|--:|--:|\n");
-    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++)
-        if (c->judged[*j])
-            text_format(out, "| %s | %lu | %lu |\n", column_name(*j),
-                        c->rows - c->missing - c->column_wrong[*j], c->column_wrong[*j]);
+    for (column j = COLUMN_X; j < COLUMN_OPTIONS; j++)
+        if (c->judged[j])
+            text_format(out, "| %s | %lu | %lu |\n", column_name(j),
+                        c->rows - c->missing - c->column_wrong[j], c->column_wrong[j]);
 }
 
 static void put_json_names(json_writer *w, const char *name, const graze_comparison *c, int whose) {
     json_open(w, name, '[');
-    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++)
-        if (c->lacking[*j] == whose)
-            json_text(w, NULL, column_name(*j));
+    for (column j = COLUMN_X; j < COLUMN_OPTIONS; j++)
+        if (c->lacking[j] == whose)
+            json_text(w, NULL, column_name(j));
     json_close(w, ']');
 }
 

@@ -9,6 +9,16 @@
 #include "output/compare/counts.h"
 #include "output/compare/judgement.h"
 
+const grouping shown_by[SHOWN_BY] = {BY_STRATUM, BY_DISTANCE, BY_SDF};
+
+const char *truth_name(const graze_comparison *c) {
+    return c->options.truth == GRAZE_TRUTH_OUTSIDE ? "outside" : "pseudo";
+}
+
+unsigned long values_within(const errors *e) {
+    return e->rows - e->over - e->under;
+}
+
 /* Append a word for the shell, quoted if it has other than plain characters. */
 static void put_word(text *out, const char *word) {
     static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
@@ -62,6 +72,66 @@ static const char *table_shown(const graze_comparison *c, const char *name) {
                                  : "made for this report and not kept";
 }
 
+static void put_errors_head(text *out, const char *name) {
+    text_format(out, "\n| %s | values | within | over | under | beyond |", name);
+    for (int k = 0; k < QUANTILES; k++)
+        text_format(out, " %s %% |", quantiles[k].name);
+    text_put(out, " largest | largest over |\n|---|");
+    for (int k = 0; k < 5 + QUANTILES + 2; k++)
+        text_put(out, "--:|");
+    text_put(out, "\n");
+}
+
+static void put_errors_line(text *out, const graze_comparison *c, const char *name,
+                            const errors *e) {
+    text_put(out, "| ");
+    text_markdown(out, *name ? name : "-");
+    text_format(out, " | %lu | %lu | %lu | %lu | ", e->rows, values_within(e), e->over, e->under);
+    if (c->options.sdf_tolerance)
+        text_format(out, "%lu |", e->beyond);
+    else
+        text_put(out, "- |");
+    put_quantiles(out, e, QUANTILES);
+    text_put(out, " ");
+    ceiling_put(out, e->largest_over);
+    text_put(out, " |\n");
+}
+
+static void put_values(text *out, const graze_comparison *c) {
+    const graze_compare_options *o = &c->options;
+    if (o->motion_error)
+        text_format(out,
+                    "motion error: %s; rows whose answer it leaves undecided: %lu; the candidate "
+                    "has in %lu, on %lu, out %lu there\n",
+                    o->motion_error, c->undecided_by_motion, c->undecided_answers[0],
+                    c->undecided_answers[1], c->undecided_answers[2]);
+    if (!c->valued)
+        return;
+    text_format(out, "values: sdf against the enclosures of the exact distance%s; truth: %s; ",
+                o->motion_error ? ", widened by the motion error" : "", truth_name(c));
+    if (o->sdf_tolerance)
+        text_format(out, "beyond the tolerance %s: wrong\n", o->sdf_tolerance);
+    else
+        text_put(out, "not judged, without a tolerance\n");
+    put_errors_head(out, "errors of sdf");
+    put_errors_line(out, c, "all", &c->values);
+}
+
+static void put_values_by(text *out, const graze_comparison *c) {
+    for (int b = 0; b < SHOWN_BY && c->valued; b++) {
+        const tally *t = &c->tallies[shown_by[b]];
+        if (!t->count)
+            continue;
+        text_format(out, "\nErrors of sdf by %s:\n", groupings[shown_by[b]].title);
+        put_errors_head(out, column_name(groupings[shown_by[b]].of));
+        for (size_t k = 0; k < t->count; k++)
+            if (t->groups[k].values)
+                put_errors_line(out, c, t->groups[k].name, t->groups[k].values);
+        if (t->others.values)
+            put_errors_line(out, c, "(others)", t->others.values);
+    }
+}
+
 static void put_summary(text *out, const graze_comparison *c) {
     static const char *const on_as[] = {"an answer of its own", "right whatever is answered", "in",
                                         "out"};
@@ -78,9 +148,9 @@ static void put_summary(text *out, const graze_comparison *c) {
                     on_as[c->options.on_as], graze_rounding_name(c->rounding));
     put_matched(out, c);
     text_put(out, "judged:");
-    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++)
-        if (c->judged[*j])
-            text_format(out, " %s", column_name(*j));
+    for (column j = COLUMN_X; j < COLUMN_OPTIONS; j++)
+        if (c->judged[j])
+            text_format(out, " %s", column_name(j));
     text_format(out, "%s\n\n",
                 c->options.has == GRAZE_HAS_SDF ? " (from the sign of sdf, negative inside)" : "");
     text_format(
@@ -137,7 +207,7 @@ static void put_tally(text *out, grouping by, const tally *t) {
         return;
     text_format(
         out, "\n| %s | rows | wrong | share | missing | undecided |\n|---|--:|--:|--:|--:|--:|\n",
-        grouping_title(by));
+        groupings[by].title);
     for (size_t k = 0; k < t->count; k++)
         put_group(out, t->groups[k].name, &t->groups[k]);
     put_group(out, "(others)", &t->others);

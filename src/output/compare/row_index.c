@@ -1,4 +1,10 @@
-/* Sorts the rows of a table by key. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Rows found by their keys: an index of all rows of a table, and golden rows that rounding makes
+ * equal though their answers differ.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * For the latter a pass over the table keeps the digests of the rows in one share of the keys. A
+ * table too large for one pass is read several times, once for each share.
+ */
 #include "output/compare/compare.h"
 
 #include <stdlib.h>
@@ -6,30 +12,41 @@
 #include "base/context/array.h"
 #include "base/context/context.h"
 #include "base/context/scope.h"
+#include "base/context/slots.h"
+#include "base/number/text.h"
 #include "input/delimited/delimited.h"
+#include "output/compare/counts.h"
 #include "output/compare/rows.h"
 
-static int digest_order(digest a, digest b) {
-    return a.high != b.high ? (a.high < b.high ? -1 : 1) : (a.low > b.low) - (a.low < b.low);
+/* The number of the entry of a key, among entries of `size` bytes that begin with their keys;
+ * SLOTS_NONE if there is none. */
+static size_t find_key(const slots *s, const void *entries, size_t size, digest key) {
+    size_t at = 0, n;
+    while ((n = slots_next(s, key.low, &at)) != SLOTS_NONE)
+        if (digest_equal(*(const digest *)(const void *)((const char *)entries + n * size), key))
+            break;
+    return n;
 }
 
-static int by_number(const void *a, const void *b) {
-    unsigned long m = ((const kept_row *)a)->number, n = ((const kept_row *)b)->number;
-    return (m > n) - (m < n);
-}
-
-static int by_key(const void *a, const void *b) {
-    int order = digest_order(((const kept_row *)a)->key, ((const kept_row *)b)->key);
-    return order ? order : by_number(a, b);
-}
-
+/* Keep a row behind those of its key. */
 static graze_status keep_indexed(row_index *x, const table_row *row) {
-    TRY(array_grow(x->table->in.context, &x->rows, &x->capacity, x->count + 1, sizeof *x->rows,
-                   "rows"));
+    graze_context *context = x->table->in.context;
+    size_t k = find_key(&x->slots, x->keys, sizeof *x->keys, row->key);
+    TRY(array_grow(context, &x->rows, &x->capacity, x->count + 1, sizeof *x->rows, "rows"));
+    if (k != SLOTS_NONE) {
+        x->rows[x->keys[k].last].next = x->count;
+        x->keys[k].last = x->count;
+    } else {
+        k = x->slots.count;
+        TRY(array_grow(context, &x->keys, &x->key_capacity, k + 1, sizeof *x->keys, "rows"));
+        x->keys[k] = (key_rows){row->key, x->count, x->count};
+        if (!slots_add(&x->slots, row->key.low))
+            return comparison_no_memory(context);
+    }
     char *text = table_row_text(row);
     if (!text)
-        return context_fail(x->table->in.context, GRAZE_ESYSTEM, "out of memory for rows");
-    x->rows[x->count++] = (kept_row){row->key, row->line, row->number, text, 0};
+        return comparison_no_memory(context);
+    x->rows[x->count++] = (kept_row){row->line, row->number, text, SLOTS_NONE};
     return GRAZE_OK;
 }
 
@@ -40,80 +57,164 @@ graze_status row_index_read(row_index *out, table *t, const row_key *key) {
         TRY(out->count % 1024 ? GRAZE_OK : context_poll(t->in.context));
         TRY(table_next(t, &out->at, &more));
         if (!more)
-            break;
+            return GRAZE_OK;
         TRY(key_check(key, t, &out->at));
         TRY(key_make(&out->at, key, t));
         TRY(keep_indexed(out, &out->at));
     }
-    if (out->count)
-        qsort(out->rows, out->count, sizeof *out->rows, by_key);
-    return GRAZE_OK;
 }
 
-/* Copy a kept row into `at`, and hand it out. */
-static graze_status give(row_index *x, const table_row **out, const kept_row *kept) {
+/* Move a kept row into `at`, and hand it out. */
+static graze_status give(row_index *x, const table_row **out, kept_row *kept) {
     table_row *row = &x->at;
     size_t length = strlen(kept->text);
-    graze_context *context = x->table->in.context;
-    TRY(array_grow(context, &row->bytes, &row->capacity, length + 1, 1, "a row"));
-    memcpy(row->bytes, kept->text, length + 1);
+    free(row->bytes);
+    row->bytes = kept->text;
+    row->capacity = length + 1;
+    kept->text = NULL;
     row->line = kept->line;
     row->number = kept->number;
-    row->key = kept->key;
-    row->keyed = 1;
     *out = row;
-    return fields_read(&row->cut, context, x->table->in.name, row->line,
+    return fields_read(&row->cut, x->table->in.context, x->table->in.name, row->line,
                        (field){row->bytes, length}, ',');
 }
 
 graze_status row_index_take(row_index *x, const table_row **out, digest key) {
-    size_t low = 0, high = x->count;
+    size_t k = find_key(&x->slots, x->keys, sizeof *x->keys, key);
+    size_t first = k == SLOTS_NONE ? SLOTS_NONE : x->keys[k].first;
     *out = NULL;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (digest_order(x->rows[middle].key, key) < 0)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    if (low == x->count)
+    if (first == SLOTS_NONE)
         return GRAZE_OK;
-    kept_row *first = &x->rows[low];
-    size_t at = low + first->taken;
-    if (at >= x->count || !digest_equal(x->rows[at].key, key))
-        return GRAZE_OK;
-    first->taken++;
-    return give(x, out, &x->rows[at]);
-}
-
-/* Keep only the rows that nobody took, in the order of the table. */
-static void drop_taken(row_index *x) {
-    size_t left = 0;
-    for (size_t first = 0, end; first < x->count; first = end) {
-        size_t taken = x->rows[first].taken;
-        digest key = x->rows[first].key;
-        for (end = first; end < x->count && digest_equal(x->rows[end].key, key); end++)
-            if (end - first < taken)
-                free(x->rows[end].text);
-            else
-                x->rows[left++] = x->rows[end];
-    }
-    x->count = left;
-    if (left)
-        qsort(x->rows, left, sizeof *x->rows, by_number);
+    x->keys[k].first = x->rows[first].next;
+    return give(x, out, &x->rows[first]);
 }
 
 graze_status row_index_rest(row_index *x, const table_row **out) {
     *out = NULL;
-    if (!x->resting)
-        drop_taken(x);
-    x->resting = 1;
-    return x->next < x->count ? give(x, out, &x->rows[x->next++]) : GRAZE_OK;
+    while (x->next < x->count && !x->rows[x->next].text)
+        x->next++;
+    return x->next < x->count ? give(x, out, &x->rows[x->next]) : GRAZE_OK;
 }
 
 void row_index_clear(row_index *x) {
     for (size_t k = 0; k < x->count; k++)
         free(x->rows[k].text);
     free(x->rows);
+    free(x->keys);
+    slots_clear(&x->slots);
     table_row_clear(&x->at);
+}
+
+enum { MOST_ENTRIES = 1 << 21 };
+
+typedef struct entry {
+    digest key;
+    uint64_t answers, exact, line; /* exact: digest of a contact point's key before rounding */
+} entry;
+
+typedef struct share {
+    slots slots; /* of the entries' keys */
+    entry *entries;
+    size_t capacity;
+    unsigned long pass, passes; /* keys with high % passes = pass are kept */
+} share;
+
+/* The entry of a key; a new entry has line 0. NULL when out of memory. */
+static entry *rounding_place(share *s, digest key) {
+    size_t n = find_key(&s->slots, s->entries, sizeof *s->entries, key);
+    if (n != SLOTS_NONE)
+        return &s->entries[n];
+    n = s->slots.count;
+    if (!array_reserve(&s->entries, &s->capacity, n + 1, sizeof *s->entries) ||
+        !slots_add(&s->slots, key.low))
+        return NULL;
+    s->entries[n] = (entry){.line = 0};
+    return &s->entries[n];
+}
+
+/* The digest of a row's answers, each ended by a byte that no field holds. */
+static graze_status answers_of(uint64_t *out, const table *t, const table_row *row,
+                               const column *columns, size_t count) {
+    HELD(text, answers);
+    for (size_t k = 0; k < count; k++) {
+        field f = table_field(t, row, columns[k]);
+        text_bytes(&answers, f.start, f.length);
+        text_put(&answers, "\n");
+    }
+    if (answers.failed)
+        return comparison_no_memory(t->in.context);
+    *out = digest_of(answers.data, answers.length).high;
+    return GRAZE_OK;
+}
+
+/* The digest of a contact point's key before rounding; 0 for other points. Contact points that were
+ * moved to one place at one time may differ in answers (`cell`, `shift`) without any rounding. */
+static graze_status exact_of(uint64_t *out, const table *t, table_row *row, const row_key *key) {
+    graze_context *context = t->in.context;
+    graze_rounding asked = context->rounding;
+    *out = 0;
+    if (key->at[0] != COLUMN_TIME)
+        return GRAZE_OK;
+    context->rounding = GRAZE_ROUND_NONE;
+    graze_status status = key_make(row, key, t);
+    context->rounding = asked;
+    *out = row->key.high | 1;
+    row->keyed = 0;
+    return status;
+}
+
+static graze_status keep(share *s, const table *t, const table_row *row, uint64_t exact,
+                         const column *columns, size_t count) {
+    uint64_t answers = 0;
+    TRY(answers_of(&answers, t, row, columns, count));
+    if (row->key.high % s->passes != s->pass)
+        return GRAZE_OK;
+    entry *e = rounding_place(s, row->key);
+    if (!e)
+        return comparison_no_memory(t->in.context);
+    if (e->line && e->answers != answers && (!exact || e->exact != exact))
+        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
+                               "rounding makes this row equal to that of line %lu, whose "
+                               "answer is another; expected points that stay apart",
+                               (unsigned long)e->line);
+    *e = (entry){row->key, answers, exact, row->line};
+    return GRAZE_OK;
+}
+
+/* Make one pass. It stops early, with GRAZE_OK, if its share of the keys is too large. */
+static graze_status pass(share *s, graze_context *context, const char *path, const row_key *key,
+                         const column *columns, size_t count) {
+    ZEROED(table, t);
+    ZEROED(table_row, row);
+    TRY(table_open(&t, context, path));
+    while (s->slots.count < MOST_ENTRIES) {
+        uint64_t exact = 0;
+        int more;
+        TRY(table_next(&t, &row, &more));
+        if (!more)
+            break;
+        TRY(exact_of(&exact, &t, &row, key));
+        TRY(key_make(&row, key, &t));
+        TRY(keep(s, &t, &row, exact, columns, count));
+    }
+    return GRAZE_OK;
+}
+
+graze_status match_rounding(graze_context *context, const table *golden, const char *path,
+                            const row_key *key, const column *columns, size_t count) {
+    if (!stream_repeatable(&golden->in))
+        return context_fail_in(context, GRAZE_EINPUT, golden->in.name, 0,
+                               "is read more than once, to check its points after rounding; "
+                               "expected a regular file");
+    share s = {.passes = 1};
+    graze_status status = GRAZE_OK;
+    while (!status && s.pass < s.passes) {
+        status = pass(&s, context, path, key, columns, count);
+        int whole = s.slots.count < MOST_ENTRIES;
+        s.pass = whole ? s.pass + 1 : 0;
+        s.passes *= whole ? 1 : 2;
+        slots_clear(&s.slots);
+    }
+    free(s.entries);
+    return status;
 }

@@ -5,6 +5,7 @@
 
 #include <flint/fmpq.h>
 #include <stdint.h>
+#include "base/context/slots.h"
 #include "decide/filter/filter.h"
 #include "input/delimited/delimited.h"
 #include "output/compare/compare.h"
@@ -27,7 +28,6 @@ typedef enum note {
     NOTE_ROUND,
     NOTE_TRIANGULATE,
     NOTE_COLUMNS,
-    NOTE_SDF,
     NOTE_DIAGONAL,
     NOTE_COUNT
 } note;
@@ -36,6 +36,7 @@ typedef enum note {
 typedef struct table {
     stream in;
     char *notes[NOTE_COUNT];  /* values of `#` lines; NULL where there is none */
+    unsigned sets;            /* bits of columns_of_line: the options that were given */
     int dimension;            /* of the points; 0 without columns x and y */
     long where[COLUMN_COUNT]; /* -1 where there is no such column */
     size_t columns;
@@ -74,6 +75,8 @@ typedef struct table_row {
 /** The name of a column or of a `#` line. */
 const char *column_name(column c);
 const char *note_name(note n);
+/** The first column of an option of graze classify. */
+column column_of(const char *option);
 
 /** Open a table and read to its column line. table_clear frees it in either case. `path` is
  * borrowed.
@@ -86,9 +89,6 @@ void table_clear(table *t);
  * after it; also as stream_next */
 graze_status table_next(table *t, table_row *row, int *more);
 void table_row_clear(table_row *row);
-
-/** GRAZE_ESYSTEM. */
-graze_status table_no_memory(const table *t);
 
 /** GRAZE_EINPUT: the column line names a column twice. */
 graze_status table_named_twice(const table *t, column c);
@@ -134,19 +134,25 @@ graze_status key_make(table_row *row, const row_key *key, const table *t);
 
 /** A row that is kept. */
 typedef struct kept_row {
-    digest key;
     unsigned long line, number; /* in the file, and among the rows */
-    char *text;                 /* malloc'ed */
-    size_t taken;               /* in a key's first row: number of its rows handed out */
+    char *text;                 /* malloc'ed; NULL once it is handed out */
+    size_t next;                /* the next row of its key, or SLOTS_NONE */
 } kept_row;
+
+/** The rows of a key that are not yet handed out; `first` is SLOTS_NONE if there are none. */
+typedef struct key_rows {
+    digest key;
+    size_t first, last;
+} key_rows;
 
 /** The index; zeroed at first. */
 typedef struct row_index {
     table *table;
-    kept_row *rows; /* by key, then by number; while `resting` only rows not taken, by number */
-    size_t count, capacity;
-    int resting;  /* 1: row_index_rest hands out the rows not taken */
-    size_t next;  /* while `resting`, the index of the row to hand out next */
+    slots slots; /* of the keys */
+    key_rows *keys;
+    kept_row *rows; /* in the order of the table */
+    size_t key_capacity, count, capacity;
+    size_t next;  /* for row_index_rest: all rows before it are handed out */
     table_row at; /* the row handed out last */
 } row_index;
 
@@ -156,8 +162,8 @@ graze_status row_index_read(row_index *out, table *t, const row_key *key);
 /** The next row of a key; NULL if none is left. Borrowed until the next call. */
 graze_status row_index_take(row_index *x, const table_row **out, digest key);
 
-/** The next row that row_index_take has not handed out, in the order of the table; NULL at the end.
- * After this call row_index_take must not be called. Borrowed until the next call. */
+/** The next row that is not handed out, in the order of the table; NULL at the end. Borrowed until
+ * the next call. */
 graze_status row_index_rest(row_index *x, const table_row **out);
 
 void row_index_clear(row_index *x);
@@ -217,8 +223,12 @@ graze_status match_finish(const match *m);
  * @return GRAZE_EINPUT the tables do not go together, or lack columns; GRAZE_ESYSTEM */
 graze_status comparison_choose(graze_comparison *c, const table *golden, const table *candidate);
 
-/** The golden column of a grouping. */
-column grouping_column(grouping g);
+/** The golden column of each grouping, whose name is the grouping's, and a longer name for the head
+ * of a table. BY_SDF stands for the candidate's column. */
+extern const struct grouped {
+    column of;
+    const char *title;
+} groupings[GROUPING_COUNT];
 /** Does the golden table have the column of a grouping, and do tables of its kind have the
  * grouping?
  */

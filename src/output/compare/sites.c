@@ -26,7 +26,7 @@ static table_kind table_kind_of(const table *t) {
         return t->where[COLUMN_TIME] == 0 ? KIND_CONTACTS : KIND_POINTS;
     int points = t->where[COLUMN_PMC] >= 0 || t->where[COLUMN_SDF] >= 0, contacts = 0;
     for (int c = COLUMN_ROLE; c <= COLUMN_SHIFT; c++)
-        contacts |= t->where[c] >= 0;
+        contacts |= c != COLUMN_WORD && t->where[c] >= 0;
     if (points == contacts)
         return KIND_ANY;
     return points ? KIND_POINTS : t->where[COLUMN_TIME] >= 0 ? KIND_CONTACTS : KIND_ANY;
@@ -61,16 +61,16 @@ static graze_status sites_options(const graze_compare_options *o, const table *g
 
 graze_status sites_choose(graze_comparison *c, const table *golden, const table *candidate) {
     int any = 0;
-    const char *names[COLUMN_COUNT] = {NULL};
+    const char *names[COLUMN_OPTIONS] = {NULL};
     size_t count = 0;
     char meant[TABLE_MEANT];
-    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++) {
-        if (!judged_of(*j, 1))
+    for (column j = COLUMN_X; j < COLUMN_OPTIONS; j++) {
+        if (!judged_of(j, 1))
             continue;
-        names[count++] = column_name(*j);
-        int right = golden->where[*j] >= 0, given = candidate->where[*j] >= 0;
-        any |= c->judged[*j] = right && given;
-        c->lacking[*j] = right && !given ? 1 : given && !right ? 2 : 0;
+        names[count++] = column_name(j);
+        int right = golden->where[j] >= 0, given = candidate->where[j] >= 0;
+        any |= c->judged[j] = right && given;
+        c->lacking[j] = right && !given ? 1 : given && !right ? 2 : 0;
     }
     table_meant(meant, candidate, names, count);
     if (!any)
@@ -222,18 +222,18 @@ static graze_status moment_same(int *same, graze_context *context, field a, fiel
 
 graze_status sites_judge(int *wrong, const graze_comparison *c, const table *golden,
                          const table_row *row, const table *candidate, const table_row *given) {
-    memset(wrong, 0, COLUMN_COUNT * sizeof *wrong);
-    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++) {
+    memset(wrong, 0, COLUMN_OPTIONS * sizeof *wrong);
+    for (column j = COLUMN_X; j < COLUMN_OPTIONS; j++) {
         int same = 1;
-        if (!c->judged[*j])
+        if (!c->judged[j])
             continue;
-        TRY(check_answer(golden, row, *j));
+        TRY(check_answer(golden, row, j));
         if (given) {
-            TRY(check_answer(candidate, given, *j));
-            TRY(moment_same(&same, golden->in.context, table_field(golden, row, *j),
-                            table_field(candidate, given, *j)));
+            TRY(check_answer(candidate, given, j));
+            TRY(moment_same(&same, golden->in.context, table_field(golden, row, j),
+                            table_field(candidate, given, j)));
         }
-        wrong[*j] = !same;
+        wrong[j] = !same;
     }
     return GRAZE_OK;
 }

@@ -12,21 +12,26 @@
 #include "base/context/spelling.h"
 #include "base/number/rational.h"
 #include "input/delimited/delimited.h"
+#include "output/compare/counts.h"
 #include "output/compare/rows.h"
 
-static const char *const column_names[COLUMN_COUNT] = {
-    "x",     "y",       "z",      "id",      "pmc",           "class",       "definition",
-    "case",  "i",       "t",      "word",    "topo",          "stratum",     "order",
-    "cell",  "k",       "sdf",    "sdf_low", "sdf_high",      "time",        "bx",
-    "by",    "bz",      "role",   "theta",   "contact_order", "orientation", "left",
-    "right", "trimmed", "status", "near",    "near_in",       "shift"};
+static const char *const column_names[COLUMN_OPTIONS] = {
+    "x",           "y",     "z",          "id",      "stratum", "order", "k",
+    "pmc",         "class", "definition", "case",    "i",       "t",     "cell",
+    "time",        "bx",    "by",         "bz",      "role",    "theta", "contact_order",
+    "orientation", "left",  "right",      "trimmed", "status",  "near",  "near_in",
+    "word",        "shift", "sdf"};
 
 static const char *const note_names[NOTE_COUNT] = {
-    "graze", "dimension", "solid-sha256", "motion-sha256", "scene-sha256", "at-rest", "operation",
-    "folds", "round",     "triangulate",  "columns",       "sdf",          "diagonal"};
+    "graze",     "dimension", "solid-sha256", "motion-sha256", "scene-sha256", "at-rest",
+    "operation", "folds",     "round",        "triangulate",   "columns",      "diagonal"};
 
 const char *column_name(column c) {
-    return column_names[c];
+    return c < COLUMN_OPTIONS ? column_names[c] : columns_known(c - COLUMN_OPTIONS).name;
+}
+
+column column_of(const char *option) {
+    return (column)(COLUMN_OPTIONS + columns_place(option));
 }
 
 const char *note_name(note n) {
@@ -68,10 +73,6 @@ int digest_equal(digest a, digest b) {
     return a.high == b.high && a.low == b.low;
 }
 
-graze_status table_no_memory(const table *t) {
-    return context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory");
-}
-
 static graze_status read_complete(table *t, field value) {
     unsigned long count;
     if (!field_count(&count, value, ~0ul) || count != t->rows || t->complete)
@@ -90,13 +91,14 @@ static graze_status read_note(table *t, field line) {
         return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
                                "a byte 0 in a text file");
     field_note(&key, &value, line);
+    t->sets |= t->columns ? 0 : columns_of_line(line);
     if (field_is(key, "complete"))
         return read_complete(t, value);
     for (int n = 0; n < NOTE_COUNT; n++) {
         if (!field_is(key, note_names[n]) || t->notes[n] || t->columns)
             continue;
         t->notes[n] = strndup(value.start, value.length);
-        return t->notes[n] ? GRAZE_OK : table_no_memory(t);
+        return t->notes[n] ? GRAZE_OK : comparison_no_memory(t->in.context);
     }
     return GRAZE_OK;
 }
@@ -104,7 +106,7 @@ static graze_status read_note(table *t, field line) {
 /* Copy a line into a row and cut it into fields. */
 static graze_status split(table *t, table_row *row, field line) {
     if (!array_reserve(&row->bytes, &row->capacity, line.length + 1, 1))
-        return table_no_memory(t);
+        return comparison_no_memory(t->in.context);
     memcpy(row->bytes, line.start, line.length);
     row->keyed = 0;
     row->line = t->in.line;
@@ -129,14 +131,17 @@ static graze_status next_table_line(table *t, table_row *row, int *more) {
     }
 }
 
-/* Is a column of this name no answer of Graze, but a further column of the points? It is in a table
- * of pmc alone, and for sdf_low and sdf_high in one without enclosures. */
-static int is_carried(const table *t, int c) {
+/* Does a comparison read the columns of this name: no columns of options that it does not know, and
+ * of a table of Graze no further columns of the points? Those have names of answers in a table of
+ * pmc alone, and names of columns of options that were not given. */
+static int is_read(const table *t, int c) {
     const char *columns = t->notes[NOTE_COLUMNS];
-    if (t->notes[NOTE_GRAZE] && (c == COLUMN_SDF_LOW || c == COLUMN_SDF_HIGH))
-        return !t->notes[NOTE_SDF];
-    return t->notes[NOTE_GRAZE] && columns && strcmp(columns, "pmc") == 0 && c >= COLUMN_CLASS &&
-           c <= COLUMN_TOPO;
+    if (c >= COLUMN_OPTIONS) {
+        known_column known = columns_known((size_t)(c - COLUMN_OPTIONS));
+        return known.set && known.set->compared && (!t->notes[NOTE_GRAZE] || t->sets & known.bit);
+    }
+    int answer = (c > COLUMN_PMC && c <= COLUMN_T) || c == COLUMN_WORD;
+    return !(answer && t->notes[NOTE_GRAZE] && columns && strcmp(columns, "pmc") == 0);
 }
 
 char *table_row_text(const table_row *row) {
@@ -146,7 +151,7 @@ char *table_row_text(const table_row *row) {
 
 graze_status table_named_twice(const table *t, column c) {
     return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->head,
-                           "the column line names %s twice; expected once", column_names[c]);
+                           "the column line names %s twice; expected once", column_name(c));
 }
 
 void table_meant(char out[TABLE_MEANT], const table *t, const char *const *names, size_t count) {
@@ -166,10 +171,11 @@ static graze_status fix_columns(table *t, const table_row *row) {
     t->head = row->line;
     for (size_t k = 0; k < row->cut.count; k++)
         for (int c = 0; c < COLUMN_COUNT; c++) {
-            if (!field_is(field_content(row->cut.item[k]), column_names[c]) || is_carried(t, c))
+            if (!is_read(t, c) ||
+                !field_is(field_content(row->cut.item[k]), column_name((column)c)))
                 continue;
             int twice = t->where[c] >= 0 && !t->notes[NOTE_GRAZE];
-            if (twice && c < COLUMN_TIME)
+            if (twice && (c < COLUMN_TIME || c > COLUMN_SHIFT || c == COLUMN_WORD))
                 return table_named_twice(t, (column)c);
             if (twice && t->doubled < 0)
                 t->doubled = c;
@@ -199,7 +205,7 @@ graze_status table_open(table *out, graze_context *context, const char *path) {
                                "no column line; expected a line of names such as x,y,z,pmc");
     TRY(fix_columns(out, &row));
     out->names = table_row_text(&row);
-    return out->names ? GRAZE_OK : table_no_memory(out);
+    return out->names ? GRAZE_OK : comparison_no_memory(out->in.context);
 }
 
 void table_clear(table *t) {

@@ -8,6 +8,7 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
+#include "base/number/vector.h"
 #include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
@@ -90,8 +91,7 @@ void cells_place(fmpq *out, const cells *c, size_t parts, size_t i, size_t j) {
     LOCAL_VEC(fmpq, uv, 2);
     LOCAL(fmpq, share);
     fmpq *at = c->section ? uv : out;
-    for (int k = 0; k < c->dimension; k++)
-        fmpq_set(at + k, c->low + k);
+    vector_set(at, c->low, c->dimension);
     for (int k = 0; k < 2; k++) {
         fmpq_set_ui(share, k ? j : i, parts);
         fmpq_mul(share, share, c->side);

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include "base/number/doubles.h"
 #include "output/draw/panel.h"
 #include "output/draw/views.h"
 
@@ -18,22 +19,13 @@ projection projection_of_axes(int horizontal, int vertical) {
     return p;
 }
 
-void cross_product(double out[3], const double a[3], const double b[3]) {
-    for (int k = 0; k < 3; k++)
-        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
-double dot_product(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* Give a vector the length 1. It is first scaled by a power of two, which rounds nothing, since
  * squares of small numbers would vanish. */
 static void normalise(double v[3]) {
     int exponent = ilogb(fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2]))));
     for (int k = 0; k < 3; k++)
         v[k] = scalbn(v[k], -exponent);
-    double length = sqrt(dot_product(v, v));
+    double length = sqrt(dot3(v, v));
     for (int k = 0; k < 3; k++)
         v[k] /= length;
 }
@@ -47,14 +39,14 @@ projection projection_from(const double from[3]) {
         up[1] = 1;
         up[2] = 0;
     }
-    cross_product(p.row[0], up, toward);
+    cross3(p.row[0], up, toward);
     normalise(p.row[0]);
-    cross_product(p.row[1], toward, p.row[0]);
+    cross3(p.row[1], toward, p.row[0]);
     return p;
 }
 
 double projection_at(const projection *p, int k, const double point[3]) {
-    return dot_product(p->row[k], point);
+    return dot3(p->row[k], point);
 }
 
 extent extent_empty(void) {

@@ -20,8 +20,6 @@ projection projection_of_axes(int horizontal, int vertical);
 /** The view from a direction, with z upwards (y upwards if the direction is along z).
  * @param from not zero */
 projection projection_from(const double from[3]);
-void cross_product(double out[3], const double a[3], const double b[3]);
-double dot_product(const double a[3], const double b[3]);
 /** Coordinate k of a point's image. */
 double projection_at(const projection *p, int k, const double point[3]);
 

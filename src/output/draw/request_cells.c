@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
+#include "base/number/vector.h"
 #include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
@@ -44,10 +45,7 @@ static graze_status lay_out_section(cells *out, section *oblique, graze_context 
     LOCAL_VEC(fmpq, most, 2);
     LOCAL_VEC(fmpq, middle, 3);
     LOCAL(fmpq, place);
-    for (int k = 0; k < 3; k++) {
-        fmpq_add(middle + k, low + k, high + k);
-        fmpq_div_2exp(middle + k, middle + k, 1);
-    }
+    vector_middle(middle, low, high, 3);
     _fmpq_vec_dot(place, request->normal, middle, 3);
     if (request->plane)
         fmpq_set(place, request->plane);
@@ -68,8 +66,7 @@ static graze_status lay_out_cells(cells *out, graze_context *context, const draw
     if (d == 3) {
         axis[0] = request->plane_axis == 0;
         axis[1] = request->plane_axis == 2 ? 1 : 2;
-        fmpq_add(place, low + request->plane_axis, high + request->plane_axis);
-        fmpq_div_2exp(place, place, 1);
+        vector_middle(place, low + request->plane_axis, high + request->plane_axis, 1);
         if (request->plane)
             fmpq_set(place, request->plane);
     }
@@ -79,22 +76,6 @@ static graze_status lay_out_cells(cells *out, graze_context *context, const draw
 
 /* A cell's side is this many times the width of an enclosure. */
 enum { FINENESS = 64 };
-
-/* Find the answer for a point as a tone, and the middle of the enclosure of its distance. */
-static graze_status measure_point(unsigned char *side, double *middle, graze_context *context,
-                                  const graze_scene *scene, const fmpq *point, double width) {
-    graze_trace trace;
-    distance found;
-    graze_status status =
-        classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS);
-    if (status)
-        return status;
-    status = distance_find(&found, context, scene, point, &trace, width);
-    *side = (unsigned char)(TONE_IN - 1 + (int)trace.verdict.pmc);
-    trace_clear(&trace);
-    *middle = found.low + (found.high - found.low) / 2;
-    return status;
-}
 
 static tone band_of(const cells *c, tone side, double value) {
     int k = (int)fmin(fabs(value) / c->step.size, BANDS - 1);
@@ -108,13 +89,17 @@ static tone band_of(const cells *c, tone side, double value) {
 static graze_status cells_measure(cells *c, graze_context *context, const graze_scene *scene) {
     size_t count = c->count[0] * c->count[1];
     double width = fmpq_get_d(c->side) / FINENESS, most = 0;
+    distance found;
+    graze_pmc pmc;
     c->distance = calloc(count, sizeof *c->distance);
     if (!c->distance)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a picture");
     LOCAL_VEC(fmpq, point, 3);
     for (size_t k = 0; k < count; k++) {
         cells_place(point, c, 2, 2 * (k % c->count[0]) + 1, 2 * (k / c->count[0]) + 1);
-        TRY(measure_point(&c->tone[k], &c->distance[k], context, scene, point, width));
+        TRY(distance_at(&found, &pmc, context, scene, point, width));
+        c->tone[k] = (unsigned char)(TONE_IN - 1 + (int)pmc);
+        c->distance[k] = found.low + (found.high - found.low) / 2;
         TRY(context_poll(context));
         most = fmax(most, fabs(c->distance[k]));
     }
@@ -150,9 +135,9 @@ graze_status request_cells(cells *out, section *oblique, graze_context *context,
     LOCAL_VEC(fmpq, high, d);
     if (!request->low)
         TRY(roomy_box(low, high, context, scene));
-    for (int k = 0; k < d && request->low; k++) {
-        fmpq_set(low + k, request->low + k);
-        fmpq_set(high + k, request->high + k);
+    if (request->low) {
+        vector_set(low, request->low, d);
+        vector_set(high, request->high, d);
     }
     TRY(request->normal ? lay_out_section(out, oblique, context, request, low, high)
                         : lay_out_cells(out, context, request, d, low, high));

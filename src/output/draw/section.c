@@ -7,6 +7,7 @@
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
+#include "base/number/doubles.h"
 #include "base/number/vector.h"
 #include "output/draw/panel.h"
 
@@ -37,8 +38,7 @@ static void shorten(fmpq *v) {
 
 static void find_ways(section *s) {
     LOCAL_VEC(fmpq, normal, 3);
-    for (int k = 0; k < 3; k++)
-        fmpq_set(normal + k, s->normal + k);
+    vector_set(normal, s->normal, 3);
     divide_by_largest(normal);
     if (fmpq_is_zero(normal) && fmpq_is_zero(normal + 1)) {
         fmpq_one(s->way[0]);
@@ -54,7 +54,7 @@ static void find_ways(section *s) {
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 3; k++)
             s->look.row[i][k] = fmpq_get_d(s->way[i] + k);
-    cross_product(s->unit, s->look.row[0], s->look.row[1]);
+    cross3(s->unit, s->look.row[0], s->look.row[1]);
 }
 
 void section_make(section *out, const fmpq *normal, const fmpq_t place) {
@@ -62,8 +62,7 @@ void section_make(section *out, const fmpq *normal, const fmpq_t place) {
     fmpq *all = _fmpq_vec_init(13);
     *out = (section){all, all + 12, all + 3, {all + 6, all + 9}, {{{0}}}, {0}, 0};
     fmpq_set(out->place, place);
-    for (int k = 0; k < 3; k++)
-        fmpq_set(out->normal + k, normal + k);
+    vector_set(out->normal, normal, 3);
     _fmpq_vec_dot(square, normal, normal, 3);
     fmpq_div(square, place, square);
     for (int k = 0; k < 3; k++)

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
+#include "base/number/doubles.h"
 #include "input/motion/motion.h"
 #include "input/solid/solid.h"
 #include "input/soup/soup.h"
@@ -43,8 +44,8 @@ static double determinant(const double *m, int d) {
     if (d == 2)
         return m[0] * m[4] - m[1] * m[3];
     double normal[3];
-    cross_product(normal, m + 4, m + 8);
-    return dot_product(m, normal);
+    cross3(normal, m + 4, m + 8);
+    return dot3(m, normal);
 }
 
 graze_status shape_moved(shape *out, graze_context *context, const graze_solid *solid,
@@ -175,7 +176,7 @@ static double nodes_apart(size_t count) {
 /* The point in which the line through two vertices meets the plane; one vertex is above it. */
 static void meet_plane(double out[3], const double *a, const double *b, const double normal[3],
                        double place) {
-    double from = dot_product(normal, a), share = (place - from) / (dot_product(normal, b) - from);
+    double from = dot3(normal, a), share = (place - from) / (dot3(normal, b) - from);
     for (int k = 0; k < 3; k++)
         out[k] = a[k] + share * (b[k] - a[k]);
 }
@@ -188,7 +189,7 @@ static int slice_triangle(chain_segment *out, const shape *s, const simplex *f, 
         uint64_t from = f->vertex[k], to = f->vertex[(k + 1) % 3];
         const double *a = s->at + 3 * from, *b = s->at + 3 * to;
         double end[3];
-        if ((dot_product(normal, a) >= place) == (dot_product(normal, b) >= place))
+        if ((dot3(normal, a) >= place) == (dot3(normal, b) >= place))
             continue;
         /* The ends are ordered, so that both triangles of the edge find the same point. */
         meet_plane(end, from < to ? a : b, from < to ? b : a, normal, place);

@@ -75,7 +75,8 @@ static const column_set column_sets[] = {
      .asked = ASKED_BY_WIDTH_DOWN,
      .needs = NEEDS_CONTACTS,
      .at_rest = 1,
-     .names = "sdf_low,sdf_high,sdf_t!",
+     .compared = 1,
+     .names = {{"sdf_low", 0}, {"sdf_high", 0}, {"sdf_t", '!'}},
      .kind = TYPED_DOUBLE,
      .find = find_distance,
      .put = report_distance,
@@ -84,7 +85,7 @@ static const column_set column_sets[] = {
     {.option = "boundary-distance",
      MEMBER(boundary),
      .beside_sdf = 1,
-     .names = "boundary_low",
+     .names = {{"boundary_low", 0}},
      .kind = TYPED_DOUBLE,
      .find = find_boundary,
      .put = put_boundary,
@@ -93,7 +94,7 @@ static const column_set column_sets[] = {
      MEMBER(motion_error),
      .asked = ASKED_BY_WIDTH_UP,
      .beside_sdf = 1,
-     .names = "certain",
+     .names = {{"certain", 0}},
      .kind = TYPED_WORD,
      .word = certain_word,
      .json = json_certain},
@@ -101,7 +102,14 @@ static const column_set column_sets[] = {
      MEMBER(moments),
      .needs = NEEDS_CONTACTS,
      .is_exact = 1,
-     .names = "first,first_near?,first_piece,first_row*,last,last_near?,last_piece,last_row*",
+     .names = {{"first", 0},
+               {"first_near", '?'},
+               {"first_piece", 0},
+               {"first_row", '*'},
+               {"last", 0},
+               {"last_near", '?'},
+               {"last_piece", 0},
+               {"last_row", '*'}},
      .find = inside_find,
      .put = inside_csv,
      .json = inside_json},
@@ -109,7 +117,8 @@ static const column_set column_sets[] = {
      MEMBER(topo),
      .needs = NEEDS_WORD,
      .undecided = "the position",
-     .names = "topo",
+     .compared = 1,
+     .names = {{"topo", 0}},
      .kind = TYPED_WORD,
      .find = find_topo,
      .word = topo_word,
@@ -118,7 +127,7 @@ static const column_set column_sets[] = {
      MEMBER(regular),
      .needs = NEEDS_WORD,
      .undecided = "regular",
-     .names = "regular",
+     .names = {{"regular", 0}},
      .kind = TYPED_WORD,
      .find = find_regular,
      .word = regular_word,
@@ -159,43 +168,42 @@ unsigned columns_of_line(field line) {
     return 0;
 }
 
-size_t columns_names(field out[COLUMNS_MOST], unsigned sets) {
+size_t columns_names(const column_label *out[COLUMNS_MOST], unsigned sets) {
     size_t count = 0;
-    for (unsigned k = 0; k < COLUMN_SETS; k++) {
-        field rest = {column_sets[k].names, strlen(column_sets[k].names)};
-        while (sets >> k & 1 && count < COLUMNS_MOST && rest.start &&
-               field_take(&out[count], &rest))
-            count++;
-    }
+    for (unsigned k = 0; k < COLUMN_SETS; k++)
+        for (const column_label *l = column_sets[k].names; sets >> k & 1 && l->name; l++)
+            out[count++] = l;
     return count;
 }
 
-/* The bits of the sets that are asked for. */
-static unsigned wanted_sets(const graze_row_options *shown) {
-    unsigned sets = 0;
-    for (const column_set *set = NULL; (set = columns_next(set, shown));)
-        sets |= 1u << (set - column_sets);
-    return sets;
+known_column columns_known(size_t k) {
+    for (unsigned set = 0; set < COLUMN_SETS; set++)
+        for (const column_label *l = column_sets[set].names; l->name; l++)
+            if (k-- == 0)
+                return (known_column){&column_sets[set], l->name, 1u << set};
+    return (known_column){NULL, NULL, 0};
+}
+
+size_t columns_place(const char *option) {
+    size_t k = 0;
+    while (strcmp(columns_known(k).set->option, option) != 0)
+        k++;
+    return k;
 }
 
 size_t columns_kinds(typed_kind out[COLUMNS_MOST], const graze_row_options *shown) {
-    field names[COLUMNS_MOST];
     size_t count = 0;
     for (const column_set *set = NULL; (set = columns_next(set, shown));)
-        for (size_t k = columns_names(names, 1u << (set - column_sets)); k > 0; k--)
-            if (!shown->at_rest || names[k - 1].start[names[k - 1].length - 1] != '!')
+        for (const column_label *l = set->names; l->name; l++)
+            if (!shown->at_rest || l->mark != '!')
                 out[count++] = set->kind;
     return count;
 }
 
 void columns_put_names(text *out, const graze_scene *scene, const graze_row_options *shown) {
-    field names[COLUMNS_MOST];
-    size_t count = columns_names(names, wanted_sets(shown));
-    for (size_t k = 0; k < count; k++) {
-        char mark = names[k].start[names[k].length - 1];
-        if ((mark == '*' && !scene->motion->has_rows) || (mark == '!' && shown->at_rest))
-            continue;
-        text_put(out, ",");
-        text_bytes(out, names[k].start, names[k].length - (strchr("*?!", mark) != NULL));
-    }
+    for (const column_set *set = NULL; (set = columns_next(set, shown));)
+        for (const column_label *l = set->names; l->name; l++)
+            if (!(l->mark == '*' && !scene->motion->has_rows) &&
+                !(l->mark == '!' && shown->at_rest))
+                text_format(out, ",%s", l->name);
 }

@@ -19,6 +19,13 @@ typedef enum column_asked { ASKED_BY_FLAG, ASKED_BY_WIDTH_DOWN, ASKED_BY_WIDTH_U
 /** The part of a trace that decides an answer. */
 typedef enum column_needs { NEEDS_PMC, NEEDS_WORD, NEEDS_CONTACTS } column_needs;
 
+/** The name of a column. Older tables may lack one with the mark `?`; one with `*` needs rows of a
+ * log, one with `!` a motion. */
+typedef struct column_label {
+    const char *name;
+    char mark; /* or 0 */
+} column_label;
+
 /** Columns that one answer fills and one option asks for. */
 typedef struct column_set {
     const char *option; /* without its dashes; a line of the head says that it was given */
@@ -29,10 +36,10 @@ typedef struct column_set {
     int at_rest;           /* a solid that does not move has it too */
     int is_exact;          /* it has exact times, which binary rows cannot hold */
     const char *undecided; /* subject of the note on undecided rows; NULL: it needs none */
-    /* Comma-joined; older tables may lack a name with `?`; one with `*` needs rows of a log, one
-     * with `!` a motion. */
-    const char *names;
-    typed_kind kind;                                      /* in binary rows */
+    int compared;          /* 1: graze compare reads it of golden tables; a word is shown beside a
+                              disagreement */
+    column_label names[9]; /* ended by a name NULL */
+    typed_kind kind;       /* in binary rows */
     graze_status (*find)(row *r, graze_context *context); /* NULL: another set finds it */
     const char *(*word)(const row *r);                    /* its one field, or NULL */
     void (*put)(text *out, const row *r);                 /* CSV, a comma before each field */
@@ -50,8 +57,18 @@ double columns_width(const column_set *set, const graze_row_options *shown);
 const column_set *columns_next(const column_set *last, const graze_row_options *shown);
 /** Bit k, if this line of a table's head tells of set k; 0 for other lines. */
 unsigned columns_of_line(field line);
-/** The names of the sets of these bits, with their marks. Returns their number. */
-size_t columns_names(field out[COLUMNS_MOST], unsigned sets);
+/** The names of the sets of these bits. Returns their number. */
+size_t columns_names(const column_label *out[COLUMNS_MOST], unsigned sets);
+/** A column, its set and the set's bit; zeroed: none. */
+typedef struct known_column {
+    const column_set *set;
+    const char *name;
+    unsigned bit;
+} known_column;
+/** Column k, from 0, of those of all sets. */
+known_column columns_known(size_t k);
+/** The place among these columns of the first one of an option, which the table has. */
+size_t columns_place(const char *option);
 /** The kinds of the columns that are asked for, in binary rows. Returns their number. */
 size_t columns_kinds(typed_kind out[COLUMNS_MOST], const graze_row_options *shown);
 /** Append the names of the columns that are asked for, a comma before each. */

@@ -67,6 +67,9 @@ int row_is_undecided(const row *r);
 enum { BOUND_ROOM = 40 };
 void report_bound(char out[BOUND_ROOM], double bound, int up);
 
+/** Write a bound as report_bound rounds it. */
+void json_bound(json_writer *w, const char *key, double bound, int up);
+
 /** Find the shortest decimal between a positive double and the next one, above it if `up`, else
  * below it. Rounded towards the double, it gives the double again. */
 void report_width(char out[BOUND_ROOM], double value, int up);

@@ -109,8 +109,6 @@ void json_state(json_writer *w, const char *key, graze_state state);
 /** Write a time (src/program/cli/formats.md, TIME), which becomes canonical; null for NULL. */
 void json_time(json_writer *w, const char *key, const graze_time *time);
 
-/** Write a bound as report_bound rounds it. */
-void json_bound(json_writer *w, const char *key, double bound, int up);
 /** Write the enclosure of a row. */
 void json_distance(json_writer *w, const row *r);
 /** Write the answer under the key `question`; the keys of level or reason and of the witness begin

@@ -83,18 +83,17 @@ static int read_marks_block(marks *m, csv *points, const block *b, graze_context
     ZEROED(reader, r);
     r.context = context;
     long id, stratum = -1;
-    const char *others = csv_columns(points)->others;
+    const char *others = points->columns.others;
     if (!mark_column(&id, others, "id") || !mark_column(&stratum, others, "stratum"))
         return complain(EXIT_IO, "out of memory");
     for (size_t k = 0; k < b->count; k++) {
-        r.rest_length = 0;
+        r.rest.length = 0;
         if (!marks_grow(m))
             return complain(EXIT_IO, "out of memory");
-        if (columns_row(m->value + m->count * (size_t)m->dimension, &f, csv_columns(points), &r, b,
-                        k))
+        if (columns_row(m->value + m->count * (size_t)m->dimension, &f, &points->columns, &r, b, k))
             return fault_tell(&f);
-        TRY(marks_take(m, id < 0 ? number_name("", m->count + 1) : mark_field(r.rest, id),
-                       stratum < 0 ? NULL : mark_field(r.rest, stratum)));
+        TRY(marks_take(m, id < 0 ? number_name("", m->count + 1) : mark_field(r.rest.data, id),
+                       stratum < 0 ? NULL : mark_field(r.rest.data, stratum)));
     }
     return EXIT_DONE;
 }
@@ -110,7 +109,7 @@ int marks_read(marks *m, const char *path, graze_context *context) {
         more = b->count > 0;
         status = read_marks_block(m, points, b, context);
         if (!status && read)
-            status = read == EXIT_SIGNAL ? EXIT_SIGNAL : fault_tell(csv_fault(points));
+            status = read == EXIT_SIGNAL ? EXIT_SIGNAL : fault_tell(&points->fault);
     }
     csv_close(points);
     block_destroy(b);

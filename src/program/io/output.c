@@ -28,19 +28,24 @@ void output_unnamed(const char *path) {
     unnamed = path;
 }
 
+/* Open a file with further flags of open(2). */
+static int open_file(output *out, const char *path, int flags) {
+    out->name = path;
+    out->fd = open(path, flags | O_CREAT | O_CLOEXEC, 0666);
+    return out->fd < 0
+               ? complain(EXIT_IO, "%s: cannot be opened for writing: %s", path, strerror(errno))
+               : EXIT_DONE;
+}
+
 int output_open(output *out, const char *path) {
     path = path ? path : unnamed;
-    int named = path && !output_is_standard(path);
-    out->fd = path ? STDOUT_FILENO : STDERR_FILENO;
-    out->name = named ? path : path ? "standard output" : "standard error";
     out->error = 0;
     out->used = out->open_line = 0;
     waiting_clear();
-    if (!named)
-        return EXIT_DONE;
-    out->fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (out->fd < 0)
-        return complain(EXIT_IO, "%s: cannot be opened for writing: %s", path, strerror(errno));
+    if (path && !output_is_standard(path))
+        return open_file(out, path, O_WRONLY | O_TRUNC);
+    out->fd = path ? STDOUT_FILENO : STDERR_FILENO;
+    out->name = path ? "standard output" : "standard error";
     return EXIT_DONE;
 }
 
@@ -54,12 +59,9 @@ int output_lock(output *out) {
 
 int output_continue(output *out, const char *path) {
     struct stat about;
-    out->name = path;
     out->error = 0;
     out->used = out->open_line = 0;
-    out->fd = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (out->fd < 0)
-        return complain(EXIT_IO, "%s: cannot be opened for writing: %s", path, strerror(errno));
+    TRY(open_file(out, path, O_RDWR));
     if (fstat(out->fd, &about) == 0 && S_ISREG(about.st_mode))
         return EXIT_DONE;
     close(out->fd);

@@ -1,4 +1,4 @@
-/* Progress of long work.
+/* Progress of long work, and the seconds a command has worked.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "program/io/io.h"
@@ -50,4 +50,26 @@ void progress_show(progress *p, unsigned long rows, portion reached) {
 void progress_end(progress *p, unsigned long rows, portion reached) {
     if (!p->silent)
         show_progress(p, rows, reached, "\n");
+}
+
+static double begun = -1; /* start of the wait; below 0: none, or no terminal */
+static long shown;        /* seconds in the line; 0: there is no line */
+
+void waiting_start(void) {
+    if (isatty(STDERR_FILENO))
+        begun = clock_seconds();
+}
+
+void waiting_show(void) {
+    long seconds = begun < 0 ? 0 : (long)(clock_seconds() - begun);
+    if (seconds < 2 || seconds == shown)
+        return;
+    shown = seconds;
+    fprintf(stderr, "\rworking, %ld s", shown);
+}
+
+void waiting_clear(void) {
+    if (shown)
+        fprintf(stderr, "\r%32s\r", "");
+    shown = 0;
 }

@@ -7,31 +7,16 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/array.h"
 #include "input/delimited/delimited.h"
 #include "program/points/points.h"
 
-void message_clear(message *m) {
-    free(m->bytes);
-    *m = (message){NULL, 0, 0};
+static void pack_bytes(text *m, const void *from, size_t length) {
+    text_bytes(m, from, length);
+    m->failed |= m->length > INT_MAX; /* MPI counts bytes in an int */
 }
 
-int message_reserve(message *m, size_t length) {
-    return array_reserve(&m->bytes, &m->capacity, length, 1);
-}
-
-/* Add bytes to a message. After one failure `good` is 0, and nothing more is added. */
-static void pack_bytes(message *m, int *good, const void *from, size_t length) {
-    /* MPI counts bytes in an int */
-    *good = *good && length <= INT_MAX - m->length && message_reserve(m, m->length + length);
-    if (!*good || !length)
-        return;
-    memcpy(m->bytes + m->length, from, length);
-    m->length += length;
-}
-
-static void unpack_bytes(const message *m, size_t *at, void *out, size_t length) {
-    memcpy(out, m->bytes + *at, length);
+static void unpack_bytes(const text *m, size_t *at, void *out, size_t length) {
+    memcpy(out, m->data + *at, length);
     *at += length;
 }
 
@@ -44,8 +29,7 @@ typedef struct run_head {
     int has_others;
 } run_head;
 
-int message_put_run(message *m, const block *b, size_t first, const columns *c) {
-    int good = 1;
+int message_put_run(text *m, const block *b, size_t first, const columns *c) {
     run_head head = {.before = b->before + first, .taken = b->runs[first].taken};
     m->length = 0;
     if (c) {
@@ -55,15 +39,15 @@ int message_put_run(message *m, const block *b, size_t first, const columns *c) 
         head.has_others = c->others != NULL;
         memcpy(head.where, c->where, sizeof head.where);
     }
-    pack_bytes(m, &good, &head, sizeof head);
+    pack_bytes(m, &head, sizeof head);
     for (size_t k = first; c && k < first + head.taken; k++) {
-        pack_bytes(m, &good, &b->lines[k], sizeof b->lines[k]);
-        pack_bytes(m, &good, b->bytes + b->lines[k].start, b->lines[k].length);
+        pack_bytes(m, &b->lines[k], sizeof b->lines[k]);
+        pack_bytes(m, b->bytes + b->lines[k].start, b->lines[k].length);
     }
-    return good;
+    return !m->failed;
 }
 
-int message_get_run(const message *m, block *b, columns *c) {
+int message_get_run(const text *m, block *b, columns *c) {
     static char some[] = "";
     run_head head;
     size_t at = 0;
@@ -78,7 +62,7 @@ int message_get_run(const message *m, block *b, columns *c) {
     for (size_t k = 0; head.columns && k < head.taken; k++) {
         line one;
         unpack_bytes(m, &at, &one, sizeof one);
-        if (!block_add(b, (field){m->bytes + at, one.length}, one.number))
+        if (!block_add(b, (field){m->data + at, one.length}, one.number))
             return 0;
         at += one.length;
     }
@@ -92,22 +76,21 @@ typedef struct answer_head {
     int status;
 } answer_head;
 
-int message_put_answer(message *m, const row_run *r) {
+int message_put_answer(text *m, const row_run *r) {
     const char *why = r->fault.message;
     answer_head head = {
         .done = r->done, .message = why ? strlen(why) + 1 : 0, .status = r->fault.status};
-    int good = 1;
     m->length = 0;
     for (int kind = 0; kind < RESULT_KINDS; kind++)
         head.length[kind] = r->out[kind].length;
-    pack_bytes(m, &good, &head, sizeof head);
+    pack_bytes(m, &head, sizeof head);
     for (int kind = 0; kind < RESULT_KINDS; kind++)
-        pack_bytes(m, &good, r->out[kind].text, r->out[kind].length);
-    pack_bytes(m, &good, why, head.message);
-    return good;
+        pack_bytes(m, r->out[kind].text, r->out[kind].length);
+    pack_bytes(m, why, head.message);
+    return !m->failed;
 }
 
-int message_get_answer(const message *m, row_run *r) {
+int message_get_answer(const text *m, row_run *r) {
     answer_head head;
     size_t at = 0;
     unpack_bytes(m, &at, &head, sizeof head);
@@ -123,6 +106,6 @@ int message_get_answer(const message *m, row_run *r) {
     }
     r->done = head.done;
     if (head.status)
-        fault_set(&r->fault, head.status, "%s", head.message ? m->bytes + at : "");
+        fault_set(&r->fault, head.status, "%s", head.message ? m->data + at : "");
     return 1;
 }

@@ -11,25 +11,16 @@
 /** Kinds of messages; STOP is empty. */
 enum { MESSAGE_RUN = 1, MESSAGE_ANSWER = 2, MESSAGE_STOP = 3 };
 
-/** Bytes that grow; zeroed at first. */
-typedef struct message {
-    char *bytes;
-    size_t length, capacity;
-} message;
-
-void message_clear(message *m);
-/** Make room for `length` bytes; 0 when out of memory. */
-int message_reserve(message *m, size_t length);
-
-/** Pack the run that begins at row `first` of a block. `columns` is NULL for a grid. */
-int message_put_run(message *m, const block *b, size_t first, const columns *c);
+/** Pack the run that begins at row `first` of a block. `columns` is NULL for a grid. 0 when out of
+ * memory, as the other functions of messages. */
+int message_put_run(text *m, const block *b, size_t first, const columns *c);
 /** Unpack a run as the only run of an emptied block. */
-int message_get_run(const message *m, block *b, columns *c);
+int message_get_run(const text *m, block *b, columns *c);
 
 /** Pack an answer. */
-int message_put_answer(message *m, const row_run *r);
+int message_put_answer(text *m, const row_run *r);
 /** Unpack an answer into its run, whose `taken` stays. */
-int message_get_answer(const message *m, row_run *r);
+int message_get_answer(const text *m, row_run *r);
 
 /* The ranks of graze-mpi: rank 0 reads points and writes the table, the others answer rows.
  *

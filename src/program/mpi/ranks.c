@@ -10,6 +10,7 @@
 #include <mpi.h>
 #include <stdlib.h>
 #include <time.h>
+#include "base/context/scope.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
 #include "program/run/run.h"
@@ -20,7 +21,7 @@ enum { AHEAD = 2, LOOKS = 50 };
 typedef struct errand {
     block *block;
     size_t first;
-    message message;
+    text message;
     MPI_Request under_way;
 } errand;
 
@@ -34,12 +35,12 @@ struct jobs {
     answerer alone; /* answers the rows if there is no other rank */
     const columns *columns;
     queue queue;
-    int ranks;       /* number of other ranks */
-    int serving;     /* 1: the other ranks wait for runs */
-    int failed;      /* 1: memory ran short */
-    int looks;       /* looks for answers since a signal came */
-    message message; /* an answer */
-    errands sent[];  /* runs sent to rank k are at k - 1 */
+    int ranks;      /* number of other ranks */
+    int serving;    /* 1: the other ranks wait for runs */
+    int failed;     /* 1: memory ran short */
+    int looks;      /* looks for answers since a signal came */
+    text message;   /* an answer */
+    errands sent[]; /* runs sent to rank k are at k - 1 */
 };
 
 static int told;
@@ -98,8 +99,8 @@ static int send_run(jobs *j, int k) {
         e->block->busy--;
         return 0;
     }
-    MPI_Isend(e->message.bytes, (int)e->message.length, MPI_BYTE, k + 1, MESSAGE_RUN,
-              MPI_COMM_WORLD, &e->under_way);
+    MPI_Isend(e->message.data, (int)e->message.length, MPI_BYTE, k + 1, MESSAGE_RUN, MPI_COMM_WORLD,
+              &e->under_way);
     of->count++;
     return 1;
 }
@@ -137,15 +138,16 @@ static int wait_for_answer(jobs *j) {
 }
 
 /* Receive a message from one rank or any. Returns its sender, or -1 when out of memory. */
-static int receive_message(message *m, int from, int *kind) {
+static int receive_message(text *m, int from, int *kind) {
     MPI_Status about;
     int length;
     wait_for_message(from, &about);
     MPI_Get_count(&about, MPI_BYTE, &length);
-    if (!message_reserve(m, (size_t)length))
+    m->length = 0;
+    if (!text_reserve(m, (size_t)length))
         return -1;
     m->length = (size_t)length;
-    MPI_Recv(m->bytes, length, MPI_BYTE, about.MPI_SOURCE, about.MPI_TAG, MPI_COMM_WORLD,
+    MPI_Recv(m->data, length, MPI_BYTE, about.MPI_SOURCE, about.MPI_TAG, MPI_COMM_WORLD,
              MPI_STATUS_IGNORE);
     *kind = about.MPI_TAG;
     return about.MPI_SOURCE;
@@ -207,15 +209,15 @@ int jobs_stop(jobs *j) {
     for (int k = 0; j->serving && k < j->ranks; k++)
         MPI_Send(NULL, 0, MPI_BYTE, k + 1, MESSAGE_STOP, MPI_COMM_WORLD);
     for (int k = 0; k < AHEAD * j->ranks; k++)
-        message_clear(&j->sent[k / AHEAD].item[k % AHEAD].message);
+        text_clear(&j->sent[k / AHEAD].item[k % AHEAD].message);
     answerer_clear(&j->alone);
-    message_clear(&j->message);
+    text_clear(&j->message);
     free(j);
     return 1;
 }
 
 /* Answer a run. The answer is sent while the next run is received; 0 when out of memory. */
-static int serve_run(answerer *a, columns *c, block *b, const message *run, message *reply,
+static int serve_run(answerer *a, columns *c, block *b, const text *run, text *reply,
                      MPI_Request *under_way) {
     if (!message_get_run(run, b, c))
         return 0;
@@ -223,14 +225,15 @@ static int serve_run(answerer *a, columns *c, block *b, const message *run, mess
     MPI_Wait(under_way, MPI_STATUS_IGNORE);
     if (!message_put_answer(reply, &b->runs[0]))
         return 0;
-    MPI_Isend(reply->bytes, (int)reply->length, MPI_BYTE, 0, MESSAGE_ANSWER, MPI_COMM_WORLD,
+    MPI_Isend(reply->data, (int)reply->length, MPI_BYTE, 0, MESSAGE_ANSWER, MPI_COMM_WORLD,
               under_way);
     return 1;
 }
 
 /* Answer one run after another until rank 0 says that it was the last. */
 static void serve_rank(answerer *a, columns *c) {
-    message run = {NULL, 0, 0}, reply = {NULL, 0, 0};
+    HELD(text, run);
+    HELD(text, reply);
     MPI_Request under_way = MPI_REQUEST_NULL;
     block *b = block_create();
     int kind = MESSAGE_RUN, good = b != NULL;
@@ -243,8 +246,6 @@ static void serve_rank(answerer *a, columns *c) {
         abort_all_ranks();
     MPI_Wait(&under_way, MPI_STATUS_IGNORE);
     block_destroy(b);
-    message_clear(&run);
-    message_clear(&reply);
 }
 
 int ranks_serve(const classify_options *o) {

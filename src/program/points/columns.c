@@ -6,10 +6,8 @@
  */
 #include "program/points/points.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/text.h"
 #include "input/delimited/delimited.h"
@@ -48,14 +46,12 @@ static int is_further(const columns *c, size_t column) {
 
 /* How many columns at the end, at most `most`, are answers that the `#` lines mention. */
 static size_t count_last(const fields *first, unsigned sets, size_t most) {
-    field names[COLUMNS_MOST];
+    const column_label *names[COLUMNS_MOST];
     size_t count = 0;
     for (size_t k = columns_names(names, sets); k > 0 && count < most; k--) {
-        field name = names[k - 1];
-        int may_lack = strchr("?*!", name.start[name.length - 1]) != NULL;
-        name.length -= (size_t)may_lack;
-        int is_it = field_equal(field_content(first->item[first->count - 1 - count]), name);
-        if (!is_it && !may_lack)
+        int is_it =
+            field_is(field_content(first->item[first->count - 1 - count]), names[k - 1]->name);
+        if (!is_it && !names[k - 1]->mark)
             return 0;
         count += (size_t)is_it;
     }
@@ -88,7 +84,7 @@ static int order_of_names(const void *a, const void *b) {
 /* Refuse two further columns with the same name; columns without a name are allowed. */
 static int check_different_names(fault *f, const columns *c, const fields *first,
                                  unsigned long number) {
-    field *names = malloc(first->count * sizeof *names);
+    FREED(field, names, malloc(first->count * sizeof *names));
     size_t count = 0, k = 1;
     if (!names)
         return fault_set(f, EXIT_IO, "out of memory");
@@ -98,13 +94,11 @@ static int check_different_names(fault *f, const columns *c, const fields *first
     qsort(names, count, sizeof *names, order_of_names);
     while (k < count && (!names[k].length || !field_equal(names[k - 1], names[k])))
         k++;
-    int status = k < count ? fault_set(f, EXIT_INPUT,
-                                       "%s:%lu: two columns have the name '%.*s'; expected "
-                                       "different names",
-                                       c->name, number, FIELD_SHOWN(names[k]))
-                           : EXIT_DONE;
-    free(names);
-    return status;
+    return k < count ? fault_set(f, EXIT_INPUT,
+                                 "%s:%lu: two columns have the name '%.*s'; expected different "
+                                 "names",
+                                 c->name, number, FIELD_SHOWN(names[k]))
+                     : EXIT_DONE;
 }
 
 /* Does a field from a file with another separator need quotes in a table with commas? */
@@ -115,52 +109,45 @@ static int needs_quotes(char separator, field one) {
     return separator == ';' && memchr(one.start, ',', one.length) && *bare.start != '"';
 }
 
-/* Write a field for a table, whose separator is the comma, at `at`: at most 2 bytes more than twice
- * the field's length. Returns the end. */
-static char *put_carried(char *at, const columns *c, field one) {
+/* Append a field for a table, whose separator is the comma. */
+static void put_carried(text *out, const columns *c, field one) {
     if (!one.length || !needs_quotes(c->separator, one)) {
-        memcpy(at, one.start, one.length);
-        return at + one.length;
+        text_bytes(out, one.start, one.length);
+        return;
     }
-    *at++ = '"';
+    text_put(out, "\"");
     for (size_t k = 0; k < one.length; k++) {
-        if (one.start[k] == '"')
-            *at++ = '"';
-        *at++ = one.start[k];
+        text_put(out, one.start[k] == '"' ? "\"" : "");
+        text_bytes(out, one.start + k, 1);
     }
-    *at++ = '"';
-    return at;
+    text_put(out, "\"");
 }
 
-/* Set `others`, the names of the fields that are carried along, comma-joined. Without a header the
- * names are `column` with the number of the field, from 1. */
-static int name_others(fault *f, columns *c, const fields *first, int numbered) {
-    size_t room = 1;
-    size_t further = 0;
-    for (size_t k = 0; k < first->count; k++) {
-        further += (size_t)is_further(c, k);
-        room += (numbered ? 28 : 2 * first->item[k].length) + 3;
-    }
-    if (!further)
-        return EXIT_DONE;
-    char *at = c->others = malloc(room);
-    int some = 0;
-    if (!at)
-        return fault_set(f, EXIT_IO, "out of memory");
-    for (size_t k = 0; k < first->count; k++) {
+/* Append the fields of a line that are carried along, comma-joined; if `numbered`, in place of each
+ * `column` with its number, from 1. Returns how many they are. */
+static size_t put_others(text *out, const columns *c, const fields *line, int numbered) {
+    size_t count = 0;
+    for (size_t k = 0; k < line->count; k++) {
         if (!is_further(c, k))
             continue;
-        if (some)
-            *at++ = ',';
-        some = 1;
-        if (numbered) {
-            at += sprintf(at, "column%zu", k + 1);
-        } else {
-            at = put_carried(at, c, first->item[k]);
-        }
+        text_put(out, count++ ? "," : "");
+        if (numbered)
+            text_format(out, "column%zu", k + 1);
+        else
+            put_carried(out, c, line->item[k]);
     }
-    *at = '\0';
-    return EXIT_DONE;
+    return count;
+}
+
+/* Set `others`, the names of the fields that are carried along. Without a header they are numbered.
+ */
+static int name_others(fault *f, columns *c, const fields *first, int numbered) {
+    text names;
+    text_init(&names);
+    if (!put_others(&names, c, first, numbered))
+        return EXIT_DONE;
+    c->others = text_take(&names);
+    return c->others ? EXIT_DONE : fault_set(f, EXIT_IO, "out of memory");
 }
 
 /* Fix the columns of points by the first line; *header is 1 if this line names the columns. */
@@ -211,20 +198,16 @@ static int fix(int *header, fault *f, columns *c, const fields *first, unsigned 
 
 int columns_fix(int *header, fault *f, columns *c, graze_context *context, field text,
                 unsigned long number, columns_head head) {
-    fields first = {NULL, 0, 0};
-    static const char npy[] = "\x93NUMPY";
-    if (text.length >= sizeof npy - 1 && memcmp(text.start, npy, sizeof npy - 1) == 0)
+    ZEROED(fields, first);
+    if (npy_is_begun(text.start, text.length))
         return fault_set(f, EXIT_INPUT,
                          "%s: is a .npy file, which is no text and is read by its name; expected "
                          "a plain file",
                          c->name);
     c->separator = field_separator(text);
-    graze_status cut = fields_read(&first, context, c->name, number, text, c->separator);
-    int status = fault_of(f, cut, context, EXIT_INPUT);
-    if (!status)
-        status = fix(header, f, c, &first, number, head);
-    fields_clear(&first);
-    return status;
+    TRY(fault_of(f, fields_read(&first, context, c->name, number, text, c->separator), context,
+                 EXIT_INPUT));
+    return fix(header, f, c, &first, number, head);
 }
 
 /* Append a name, to which `_in` is added until neither the table's own columns nor the others have
@@ -261,26 +244,6 @@ char *columns_free_names(const columns *c, field own) {
         put_free_name(&out, c, own, others, name);
     }
     return text_take(&out);
-}
-
-/* Add the fields that are carried along to `rest`. */
-static int keep_others(reader *r, const columns *c, size_t length) {
-    if (!array_reserve(&r->rest, &r->rest_capacity,
-                       r->rest_length + 2 * length + 2 * r->cut.count + 1, 1))
-        return 0;
-    char *at = r->rest + r->rest_length;
-    int some = 0;
-    for (size_t k = 0; k < r->cut.count; k++) {
-        if (!is_further(c, k))
-            continue;
-        if (some)
-            *at++ = ',';
-        some = 1;
-        at = put_carried(at, c, r->cut.item[k]);
-    }
-    *at++ = '\0';
-    r->rest_length = (size_t)(at - r->rest);
-    return 1;
 }
 
 /* The end of a message, with a hint if a number has a semicolon. */
@@ -330,13 +293,16 @@ int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block
     }
     if (c->sites.snap && read_cell(f, c, r, l->number))
         return f->status;
-    return c->others && !keep_others(r, c, l->length) ? fault_set(f, EXIT_IO, "out of memory")
-                                                      : EXIT_DONE;
+    if (c->others) {
+        put_others(&r->rest, c, &r->cut, 0);
+        text_bytes(&r->rest, "", 1);
+    }
+    return r->rest.failed ? fault_set(f, EXIT_IO, "out of memory") : EXIT_DONE;
 }
 
 void reader_clear(reader *r) {
     fields_clear(&r->cut);
-    free(r->rest);
+    text_clear(&r->rest);
     *r = (reader){.context = NULL};
 }
 

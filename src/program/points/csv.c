@@ -14,19 +14,6 @@
 #include "program/io/io.h"
 #include "program/points/heads.h"
 
-struct csv {
-    stream in;
-    fault fault;
-    columns columns;
-    columns_head head;
-    shard part;
-    unsigned long rows; /* rows of all shards, so far */
-    checksum sum;
-    unsigned long size; /* bytes of the file; 0 for a pipe */
-    int is_array;       /* 1: a .npy file, whose head is read with its first row */
-    npy *array;
-};
-
 int csv_open(csv **out, const char *path, int dimension, shard part, graze_context *context) {
     struct stat about;
     csv *c = calloc(1, sizeof *c);
@@ -57,25 +44,9 @@ void csv_close(csv *c) {
     free(c);
 }
 
-const fault *csv_fault(const csv *c) {
-    return &c->fault;
-}
-
-const columns *csv_columns(const csv *c) {
-    return &c->columns;
-}
-
 portion csv_portion(const csv *c) {
-    return c->array ? (portion){npy_done(c->array), npy_count(c->array)}
+    return c->array ? (portion){c->array->done, c->array->head.rows}
                     : (portion){(unsigned long)c->in.offset, c->size};
-}
-
-unsigned long csv_rows(const csv *c) {
-    return c->rows;
-}
-
-unsigned long long csv_checksum(const csv *c) {
-    return checksum_value(&c->sum);
 }
 
 static int skipped(field text) {
@@ -125,7 +96,7 @@ static int next_point_line(csv *c, field *line) {
         TRY(npy_open(&c->array, &c->fault, c->in.context, c->in.fd, c->in.name,
                      c->columns.dimension));
     TRY(npy_next(c->array, &c->fault, line));
-    c->in.line = npy_done(c->array);
+    c->in.line = c->array->done;
     return EXIT_DONE;
 }
 

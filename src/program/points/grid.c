@@ -8,16 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "output/table/table.h"
 #include "program/io/io.h"
-
-struct grid {
-    int dimension;
-    size_t size[3];
-    unsigned long count;
-    mpq_t low[3], high[3];
-    graze_grid *points;
-};
 
 /* Cut a text at its commas into at most `most` words; returns how many words it has. */
 static int cut_at_commas(const char **start, size_t *length, int most, const char *text) {
@@ -103,29 +94,10 @@ void grid_close(grid *g) {
     free(g);
 }
 
-unsigned long grid_count(const grid *g) {
-    return g->count;
-}
-
 void grid_fill(const grid *g, shard part, block *b, unsigned long most) {
     unsigned long rows = shard_rows(part, g->count), left = rows > b->before ? rows - b->before : 0;
     left = left < most ? left : most;
     b->count = left < BLOCK_ROWS ? left : BLOCK_ROWS;
-}
-
-void grid_points(mpq_t *points, const grid *g, shard part, unsigned long first, size_t count) {
-    graze_grid_points(points, g->points, shard_place(part, first), part.count, count);
-}
-
-graze_status grid_rows(char **out, size_t *length, size_t *done, graze_context *context,
-                       const grid *g, shard part, unsigned long first, size_t count,
-                       graze_format format) {
-    return graze_grid_rows(out, length, done, context, g->points, shard_place(part, first),
-                           part.count, count, format);
-}
-
-void grid_shape(typed_table *t, const grid *g) {
-    typed_set_grid(t, g->dimension, g->size, (graze_rationals)g->low, (graze_rationals)g->high);
 }
 
 void grid_notes(text *out, const grid *g) {

@@ -31,12 +31,6 @@ int site_time_is_root(field token);
 /** The name of number `index` of a row; number 0 is the time. */
 const char *site_number_name(const site_form *s, int index);
 
-/** Facts from the `#` lines at the beginning of a file: whether Graze has written it, and with
- * which answers. */
-typedef struct columns_head {
-    int graze, unsweep, pmc_alone;
-    unsigned sets; /* bits of columns_of_line */
-} columns_head;
 void columns_clear(columns *c);
 
 /**
@@ -83,7 +77,19 @@ int npy_head_read(npy_head *out, fault *f, const char *name, const char *bytes, 
 
 /* Points out of numpy's .npy files. */
 
-typedef struct npy npy;
+/** NPY_ROWS is the most rows in memory, NPY_ROW_BYTES the most bytes of a row. */
+enum { NPY_ROWS = 4096, NPY_ROW_BYTES = 24 };
+
+struct npy {
+    npy_head head;
+    int fd, dimension;
+    graze_context *context; /* of decimals; borrowed */
+    const char *name;
+    unsigned long done, from, to; /* rows handed out; rows `from` to `to` - 1 are in memory */
+    text line;
+    mpq_t value;
+    unsigned char bytes[NPY_ROWS * NPY_ROW_BYTES]; /* in the order of the file */
+};
 
 /** Is a descriptor's file a plain file that is .npy by its name or its first bytes? */
 int npy_is(int fd, const char *name);
@@ -100,9 +106,5 @@ void npy_close(npy *a);
  * @return EXIT_DONE, or the status of the fault, which names file, row and column
  */
 int npy_next(npy *a, fault *f, field *line);
-
-/** The number of points handed out, and the number of all points of the file. */
-unsigned long npy_done(const npy *a);
-unsigned long npy_count(const npy *a);
 
 #endif

@@ -18,20 +18,6 @@
 #include "program/io/io.h"
 #include "program/points/heads.h"
 
-/* ROWS is the most rows in memory, ROW_BYTES the most bytes of a row. */
-enum { ROWS = 4096, ROW_BYTES = 24 };
-
-struct npy {
-    npy_head head;
-    int fd, dimension;
-    graze_context *context; /* of decimals; borrowed */
-    const char *name;
-    unsigned long done, from, to; /* rows handed out; rows `from` to `to` - 1 are in memory */
-    text line;
-    mpq_t value;
-    unsigned char bytes[ROWS * ROW_BYTES]; /* in the order of the file */
-};
-
 /* Read bytes of the file; 0 on an error, or if the file ends before. */
 static int read_bytes(int fd, void *to, size_t length, size_t from, size_t *got) {
     *got = 0;
@@ -106,7 +92,7 @@ static int read_rows(npy *a, fault *f) {
     size_t size = (size_t)h->size, d = (size_t)a->dimension, parts = h->column_after_column ? d : 1;
     unsigned long left = h->rows - a->to;
     a->from = a->to;
-    a->to += left < ROWS ? left : ROWS;
+    a->to += left < NPY_ROWS ? left : NPY_ROWS;
     size_t rows = a->to - a->from, length = rows * size * (h->column_after_column ? 1 : d);
     for (size_t part = 0; part < parts; part++) {
         size_t got, first = part * h->rows + a->from * (h->column_after_column ? 1 : d);
@@ -182,12 +168,4 @@ int npy_next(npy *a, fault *f, field *line) {
     if (!status)
         *line = (field){a->line.data, a->line.length};
     return status;
-}
-
-unsigned long npy_done(const npy *a) {
-    return a->done;
-}
-
-unsigned long npy_count(const npy *a) {
-    return a->head.rows;
 }

@@ -125,8 +125,7 @@ typedef struct reader {
     graze_context *context;
     fields cut;
     graze_cell cell; /* cell of the row read last, if rows have cells */
-    char *rest;      /* further columns of the rows of a run, each with a NUL */
-    size_t rest_length, rest_capacity;
+    text rest;       /* further columns of the rows of a run, each with a NUL */
 } reader;
 
 void reader_clear(reader *r);
@@ -232,7 +231,13 @@ typedef struct grid_options {
     const char *sizes, *box;
 } grid_options;
 
-typedef struct grid grid;
+typedef struct grid {
+    int dimension;
+    size_t size[3];
+    unsigned long count; /* of its points */
+    mpq_t low[3], high[3];
+    graze_grid *points;
+} grid;
 
 /** Read a value of --box into two corners of d initialised rationals each. On failure says why. */
 int box_read(mpq_t *low, mpq_t *high, const char *text, int d, graze_context *context);
@@ -240,20 +245,8 @@ int box_read(mpq_t *low, mpq_t *high, const char *text, int d, graze_context *co
  * why; `*out` is to be closed in either case. */
 int grid_open(grid **out, const grid_options *o, graze_context *context, const graze_scene *scene);
 void grid_close(grid *g);
-/** The number of points of a grid. */
-unsigned long grid_count(const grid *g);
 /** Fill a block with a shard's next points, at most `most`; an empty block means the end. */
 void grid_fill(const grid *g, shard part, block *b, unsigned long most);
-/** Make `count` points of a shard from its point `first` on, x running fastest in the whole grid.
- * Any thread may ask.
- * @param[out] points room for three coordinates a point; d of them are set, point after point */
-void grid_points(mpq_t *points, const grid *g, shard part, unsigned long first, size_t count);
-/** Make graze_grid_rows's rows for `count` points of a shard from its point `first` on. */
-graze_status grid_rows(char **out, size_t *length, size_t *done, graze_context *context,
-                       const grid *g, shard part, unsigned long first, size_t count,
-                       graze_format format);
-/** Tell a table that its rows are the points of the grid. */
-void grid_shape(typed_table *t, const grid *g);
 /** Add the lines `# grid` and `# box`. */
 void grid_notes(text *out, const grid *g);
 
@@ -261,7 +254,27 @@ void grid_notes(text *out, const grid *g);
  *
  * The first thread cuts a file into lines and does nothing else with them; columns.c reads them. */
 
-typedef struct csv csv;
+/** Facts from the `#` lines at the beginning of a file: whether Graze has written it, and with
+ * which answers. */
+typedef struct columns_head {
+    int graze, unsweep, pmc_alone;
+    unsigned sets; /* bits of columns_of_line */
+} columns_head;
+
+typedef struct npy npy;
+
+typedef struct csv {
+    stream in;
+    fault fault;     /* the error that csv_fill met */
+    columns columns; /* fixed once a header or a first row has been read */
+    columns_head head;
+    shard part;
+    unsigned long rows; /* rows of all shards, so far */
+    checksum sum;       /* of the line of names and of these rows */
+    unsigned long size; /* bytes of the file; 0 for a pipe */
+    int is_array;       /* 1: a .npy file, whose head is read with its first row */
+    npy *array;
+} csv;
 
 /** Open a file, or standard input for `-`, for the rows of a shard. The context is
  * borrowed. On failure says why. */
@@ -272,21 +285,13 @@ void csv_close(csv *c);
 void csv_expect_sites(csv *c, int snap);
 /**
  * Fill a block with the next rows, at most `most`; an empty block means the end. On an error the
- * block has the rows before it, and csv_fault the message. EXIT_SIGNAL if a signal came.
+ * block has the rows before it, and `fault` the message. EXIT_SIGNAL if a signal came.
  */
 int csv_fill(csv *c, block *b, unsigned long most);
 /** 1 if csv_fill would return without waiting for its input. May read. */
 int csv_ready(csv *c);
-/** The error that csv_fill met. */
-const fault *csv_fault(const csv *c);
-/** The columns, fixed once a header or a first row has been read. */
-const columns *csv_columns(const csv *c);
 /** The bytes read and the bytes of the file; the latter are 0 for a pipe. */
 portion csv_portion(const csv *c);
-/** The number of rows read so far, with those of other shards; and a checksum of the line of names
- * and of these rows. */
-unsigned long csv_rows(const csv *c);
-unsigned long long csv_checksum(const csv *c);
 
 /* Points that differ from all before them, and strata that have no further points. */
 /** A set of points. Zeroed it is empty; distinct_clear frees it. */

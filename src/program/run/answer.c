@@ -1,4 +1,5 @@
-/* Answers runs of rows: reads their numbers, classifies them and writes them into one text.
+/* Hands rows out to threads or ranks, and answers runs of rows: reads their numbers, classifies
+ * them and writes them into one text. A contact point is a site of the scene, and a row.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "program/run/run.h"
@@ -10,6 +11,30 @@
 #include "program/io/io.h"
 #include "program/points/points.h"
 #include "program/run/results.h"
+
+void queue_add(queue *q, block *b) {
+    if (q->first)
+        q->last->after = b;
+    else
+        q->first = b;
+    q->last = b;
+    q->left += b->count;
+}
+
+size_t queue_take(queue *q, block **of, int workers, size_t most) {
+    block *b = *of = q->first;
+    size_t first = b->next, in_block = b->count - first;
+    size_t share = q->left / (4 * (size_t)workers);
+    share = share < 1 ? 1 : share < most ? share : most;
+    share = share < in_block ? share : in_block;
+    b->runs[first] = (row_run){.taken = share, .fault = {EXIT_SIGNAL, NULL}};
+    b->next += share;
+    b->busy++;
+    q->left -= share;
+    if (share == in_block)
+        q->first = b->after;
+    return first;
+}
 
 /* Name the place of a row for messages. */
 static void put_place(text *out, const row_source *from, const block *b, size_t row) {
@@ -45,11 +70,12 @@ static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t fi
         (size_t)(from->columns ? from->columns->numbers : graze_scene_dimension(a->task.scene));
     size_t n = 0, point_at[RUN_ROWS] = {0}, rest_at[RUN_ROWS] = {0};
     if (from->grid)
-        grid_points(a->points, from->grid, from->part, b->before + first, r->taken);
-    a->reader.rest_length = 0;
+        graze_grid_points(a->points, from->grid->points, shard_place(from->part, b->before + first),
+                          from->part.count, r->taken);
+    text_clear(&a->reader.rest);
     for (; n < r->taken; n++) {
         point_at[n] = a->written.length;
-        rest_at[n] = a->reader.rest_length;
+        rest_at[n] = a->reader.rest.length;
         if (!from->grid &&
             columns_row(a->points + n * d, &r->fault, from->columns, &a->reader, b, first + n))
             break;
@@ -60,9 +86,45 @@ static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t fi
     for (size_t k = 0; k < n; k++) {
         a->texts[k].point = a->written.length ? a->written.data + point_at[k] : NULL;
         a->texts[k].rest =
-            from->columns && from->columns->others ? a->reader.rest + rest_at[k] : NULL;
+            from->columns && from->columns->others ? a->reader.rest.data + rest_at[k] : NULL;
     }
     return n;
+}
+
+static graze_status make_site(graze_site **out, const answerer *a, size_t row) {
+    const columns *c = a->task.source.columns;
+    graze_rationals number = (graze_rationals)a->points + row * (size_t)c->numbers;
+    if (c->sites.snap)
+        return (c->sites.in_world ? graze_site_snap_at : graze_site_snap)(
+            out, a->context, a->task.scene, number[0], number + 1, a->cell[row]);
+    return (c->sites.in_world ? graze_site_create_at : graze_site_create)(
+        out, a->context, a->task.scene, number[0], number + 1);
+}
+
+static graze_status add_site_row(text *out, const answerer *a, size_t row) {
+    OWNED(graze_site, site);
+    char *line = NULL;
+    TRY(make_site(&site, a, row));
+    TRY(graze_site_row(&line, a->context, site, a->task.rows->format, a->texts[row].rest));
+    text_put(out, line);
+    graze_free(line);
+    return GRAZE_OK;
+}
+
+/* Write the rows of the first n contact points as one text. */
+static graze_status write_sites(answerer *a, row_run *r, size_t n) {
+    struct row_text *table = &r->out[RESULT_TABLE];
+    graze_status status = GRAZE_OK;
+    HELD(text, all);
+    while (r->done < n && !status) {
+        status = add_site_row(&all, a, r->done);
+        r->done += !status;
+    }
+    table->length = all.length;
+    if (all.failed)
+        r->done = 0;
+    table->text = text_take(&all);
+    return table->text || status ? status : GRAZE_ESYSTEM;
 }
 
 /* Write the rows of the first n points, for a table, a certificate or both. */
@@ -70,10 +132,8 @@ static graze_status write_answers(answerer *a, row_run *r, size_t n) {
     const answer_task *task = &a->task;
     struct row_text *table = task->no_table ? NULL : &r->out[RESULT_TABLE];
     struct row_text *certificate = &r->out[RESULT_CERTIFICATE];
-    if (task->source.columns && task->source.columns->sites.wanted) {
-        site_rows rows = {task->source.columns, a->points, a->cell, a->texts, n};
-        return site_answer(r, a->context, task->scene, &rows, task->rows->format);
-    }
+    if (task->source.columns && task->source.columns->sites.wanted)
+        return write_sites(a, r, n);
     if (!task->certifier)
         return graze_report_points(&table->text, &table->length, &r->done, &r->totals, a->context,
                                    task->scene, a->points, n, a->texts, task->rows);
@@ -87,8 +147,9 @@ static graze_status write_answers(answerer *a, row_run *r, size_t n) {
 static graze_status write_members(answerer *a, row_run *r, unsigned long first) {
     const row_source *from = &a->task.source;
     struct row_text *table = &r->out[RESULT_TABLE];
-    return grid_rows(&table->text, &table->length, &r->done, a->context, from->grid, from->part,
-                     first, r->taken, a->task.rows->format);
+    return graze_grid_rows(&table->text, &table->length, &r->done, a->context, from->grid->points,
+                           shard_place(from->part, first), from->part.count, r->taken,
+                           a->task.rows->format);
 }
 
 /* Set the fault of a row that has no answer. Only GRAZE_EINPUT is a fault of the file of points. */

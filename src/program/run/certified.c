@@ -19,6 +19,11 @@ typedef struct beside {
     char *path, *text;
 } beside;
 
+static void beside_clear(beside *b) {
+    graze_free(b->text);
+    free(b->path);
+}
+
 /* 1 for each file of a scene that graze-check cannot read as it is. */
 typedef struct lacks {
     int solid, motion;
@@ -150,24 +155,21 @@ static int put_beside(beside *b, const char *original, const char *ending,
 /* Check that the file beside the certificate has the content that this run would write, since the
  * certificate that is continued may belong to another scene. */
 static int compare_beside(const beside *b, const loaded *l, int is_solid) {
-    char *there = NULL;
+    FREED(char, there, NULL);
     if (!b->path)
         return EXIT_DONE;
-    graze_status read = is_solid ? graze_solid_text(&there, l->context, l->solid)
-                                 : graze_motion_text(&there, l->context, l->motion);
-    int status = complain_of(read, l->context);
-    int same = !status && strcmp(there, b->text) == 0;
-    if (same)
-        complain(EXIT_DONE,
-                 "note: %s: graze-check cannot read it; give it %s instead, which is the same",
-                 b->original, b->path);
-    else if (!status)
-        status = complain(EXIT_INPUT,
-                          "%s: does not hold %s, with which the certificate cannot be continued; "
-                          "expected another FILE",
-                          b->path, b->original);
-    graze_free(there);
-    return status;
+    TRY(complain_of(is_solid ? graze_solid_text(&there, l->context, l->solid)
+                             : graze_motion_text(&there, l->context, l->motion),
+                    l->context));
+    if (strcmp(there, b->text) == 0)
+        return complain(EXIT_DONE,
+                        "note: %s: graze-check cannot read it; give it %s instead, which is the "
+                        "same",
+                        b->original, b->path);
+    return complain(EXIT_INPUT,
+                    "%s: does not hold %s, with which the certificate cannot be continued; "
+                    "expected another FILE",
+                    b->path, b->original);
 }
 
 /* Read the scene anew, from the files beside the certificate instead of its own. */
@@ -186,23 +188,18 @@ static int read_with_beside(loaded *l, const classify_options *o, const beside *
 /* Convert each file that graze-check cannot read to a file beside the certificate, and read the
  * scene anew from that. The files of the scene are not changed. */
 static int convert_scene(loaded *l, const classify_options *o, const lacks *lack, int writes) {
-    beside solid = {NULL, NULL, NULL}, motion = {NULL, NULL, NULL};
-    graze_status made = lack->solid ? graze_solid_text(&solid.text, l->context, l->solid) : 0;
-    if (!made && lack->motion)
-        made = graze_motion_text(&motion.text, l->context, l->motion);
-    int status = complain_of(made, l->context);
-    if (!status && lack->solid)
-        status = put_beside(&solid, o->scene.solid,
-                            graze_solid_dimension(l->solid) == 3 ? ".off" : ".wkt", o, writes);
-    if (!status && lack->motion)
-        status = put_beside(&motion, o->scene.motion, ".json", o, writes);
-    if (!status)
-        status = read_with_beside(l, o, &solid, &motion);
-    graze_free(solid.text);
-    graze_free(motion.text);
-    free(solid.path);
-    free(motion.path);
-    return status;
+    ZEROED(beside, solid);
+    ZEROED(beside, motion);
+    if (lack->solid)
+        TRY(complain_of(graze_solid_text(&solid.text, l->context, l->solid), l->context));
+    if (lack->motion)
+        TRY(complain_of(graze_motion_text(&motion.text, l->context, l->motion), l->context));
+    if (lack->solid)
+        TRY(put_beside(&solid, o->scene.solid,
+                       graze_solid_dimension(l->solid) == 3 ? ".off" : ".wkt", o, writes));
+    if (lack->motion)
+        TRY(put_beside(&motion, o->scene.motion, ".json", o, writes));
+    return read_with_beside(l, o, &solid, &motion);
 }
 
 static int refuse_standard_output(const loaded *l, const classify_options *o) {

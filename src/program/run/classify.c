@@ -34,7 +34,7 @@ typedef struct run_state {
 } run_state;
 
 static row_source source_of(const run_state *s, const classify_options *o) {
-    return (row_source){s->points ? csv_columns(s->points) : NULL, s->grid, o->shard.part,
+    return (row_source){s->points ? &s->points->columns : NULL, s->grid, o->shard.part,
                         o->coordinates};
 }
 
@@ -47,7 +47,7 @@ static int take_block(run_state *s, const classify_options *o, block *b, unsigne
     else
         grid_fill(s->grid, o->shard.part, b, most);
     s->ended = s->read_status || b->count == 0;
-    int columns_known = !s->read_status || (s->points && csv_columns(s->points)->count);
+    int columns_known = !s->read_status || (s->points && s->points->columns.count);
     row_source source = source_of(s, o);
     if (!s->headed && columns_known)
         status = results_begin(&s->out, &source);
@@ -95,7 +95,7 @@ static int can_fill_ring(run_state *s) {
 static portion portion_reached(run_state *s, const classify_options *o) {
     if (s->points)
         return csv_portion(s->points);
-    return (portion){results_main(&s->out)->rows, shard_rows(o->shard.part, grid_count(s->grid))};
+    return (portion){results_main(&s->out)->rows, shard_rows(o->shard.part, s->grid->count)};
 }
 
 static int write_next_block(run_state *s, const classify_options *o) {
@@ -121,7 +121,7 @@ static int do_all_blocks(run_state *s, const classify_options *o) {
     }
     progress_end(&s->progress, results_main(&s->out)->rows, portion_reached(s, o));
     if (!status && s->read_status)
-        status = s->read_status == EXIT_SIGNAL ? EXIT_SIGNAL : fault_tell(csv_fault(s->points));
+        status = s->read_status == EXIT_SIGNAL ? EXIT_SIGNAL : fault_tell(&s->points->fault);
     return status ? status : result_end(results_main(&s->out));
 }
 
@@ -186,10 +186,10 @@ int classify_run(const classify_options *o) {
     if (!status)
         status = do_all_blocks(s, o);
     if (!status)
-        status = results_end(&s->out, s->grid ? grid_count(s->grid) : csv_rows(s->points),
-                             s->grid ? 0 : csv_checksum(s->points));
-    if (!status && s->points && !csv_rows(s->points))
-        complain(EXIT_DONE, "note: %s has no points", csv_columns(s->points)->name);
+        status = results_end(&s->out, s->grid ? s->grid->count : s->points->rows,
+                             s->grid ? 0 : checksum_value(&s->points->sum));
+    if (!status && s->points && !s->points->rows)
+        complain(EXIT_DONE, "note: %s has no points", s->points->columns.name);
     status = results_close(&s->out, status);
     end_run(s);
     return status;

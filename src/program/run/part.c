@@ -178,10 +178,9 @@ int part_open(part *p, graze_context *context, const char *path) {
                         "%s: expected a plain file; parts are read in turn, which a pipe "
                         "does not allow",
                         path);
-    int status = complain_of(stream_open_own(&p->in, context, path, 1), context);
-    if (!status)
-        status = read_head(p);
-    return status ? status : read_tail(p, (long long)about.st_size);
+    TRY(complain_of(stream_open_own(&p->in, context, path, 1), context));
+    TRY(read_head(p));
+    return read_tail(p, (long long)about.st_size);
 }
 
 void part_close(part *p) {

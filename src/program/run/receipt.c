@@ -64,13 +64,9 @@ static int is_intact_receipt(const char *receipt) {
 
 static int read_receipt(char text[RECEIPT], const char *path, const context_options *o) {
     size_t length = 0;
-    graze_context *context;
-    int status = context_make(&context, o);
-    if (!status)
-        status = complain_of(stream_beginning(text, RECEIPT, &length, context, path), context);
-    graze_context_destroy(context);
-    if (status)
-        return status;
+    OWNED(graze_context, context);
+    TRY(context_make(&context, o));
+    TRY(complain_of(stream_beginning(text, RECEIPT, &length, context, path), context));
     int is_intact = strlen(text) == length ? is_intact_receipt(text) : 0;
     if (is_intact < 0)
         return complain(EXIT_IO, "out of memory");

@@ -24,7 +24,8 @@ void results_init(results *out, const classify_options *o, const loaded *l) {
     typed_init(&out->typed, l->context);
 }
 
-int results_wants(const results *out, result_kind kind) {
+/* Is a file of this kind wanted? */
+static int results_wants(const results *out, result_kind kind) {
     return kind == RESULT_TABLE ? !out->o->no_table : out->o->no_table || out->o->certificate;
 }
 
@@ -73,7 +74,6 @@ int results_open(results *out) {
 }
 
 int results_pass(results *out, unsigned long rows, unsigned long long points) {
-    int status = EXIT_DONE;
     if (rows < out->at.rows)
         return complain(EXIT_INPUT,
                         "%s: has %lu rows already, more than there are points; expected the points "
@@ -84,10 +84,10 @@ int results_pass(results *out, unsigned long rows, unsigned long long points) {
                         "%s: its first %lu rows are of other points; expected the points the %s "
                         "was begun with",
                         out->o->resume, rows, result_name(results_main(out)->kind));
-    for (int kind = 0; kind < RESULT_KINDS && !status; kind++)
+    for (int kind = 0; kind < RESULT_KINDS; kind++)
         if (results_wants(out, (result_kind)kind))
-            status = result_pass(&out->file[kind], &out->at.file[kind], rows);
-    return status;
+            TRY(result_pass(&out->file[kind], &out->at.file[kind], rows));
+    return EXIT_DONE;
 }
 
 /* Append the lines of the table's head that graze_report_header does not write. */
@@ -113,9 +113,8 @@ static int make_head(char **head, const results *out, const char *notes, const c
     text_put(&all, sites->snap && others ? "," : "");
     text_put(&all, others ? others : "");
     const char *columns = all.length ? all.data : NULL;
-    if (all.failed) {
+    if (all.failed)
         return complain(EXIT_IO, "out of memory");
-    }
     graze_status made =
         sites->wanted
             ? graze_site_header(head, context, out->l->scene, notes, columns)
@@ -134,22 +133,24 @@ static field names_of(const char *head) {
 /* Make the head, with the further columns under names that no other column has. */
 static int make_free_head(char **head, const results *out, const row_source *source,
                           const char *notes) {
-    int status = make_head(head, out, notes, NULL);
-    if (status || !source->columns || !source->columns->others)
-        return status;
-    char *others = columns_free_names(source->columns, names_of(*head));
+    TRY(make_head(head, out, notes, NULL));
+    if (!source->columns || !source->columns->others)
+        return EXIT_DONE;
+    FREED(char, others, columns_free_names(source->columns, names_of(*head)));
+    if (!others)
+        return complain(EXIT_IO, "out of memory");
     graze_free(*head);
     *head = NULL;
-    status = others ? make_head(head, out, notes, others) : complain(EXIT_IO, "out of memory");
-    free(others);
-    return status;
+    return make_head(head, out, notes, others);
 }
 
 /* Begin a binary table, whose columns have the names in the last line of the head. */
 static int begin_export(results *out, const row_source *source, const char *head) {
     typed_kind last[COLUMNS_MOST];
-    if (source->grid)
-        grid_shape(&out->typed, source->grid);
+    const grid *g = source->grid;
+    if (g)
+        typed_set_grid(&out->typed, g->dimension, g->size, (graze_rationals)g->low,
+                       (graze_rationals)g->high);
     return complain_of(typed_begin(&out->typed, graze_scene_dimension(out->l->scene),
                                    names_of(head), out->l->rows.columns == GRAZE_COLUMNS_PMC, last,
                                    columns_kinds(last, &out->l->rows)),
@@ -157,33 +158,27 @@ static int begin_export(results *out, const row_source *source, const char *head
 }
 
 static int begin_table(results *out, const row_source *source, const char *shard) {
-    char *head = NULL;
+    FREED(char, head, NULL);
     HELD(text, notes);
     put_head_notes(&notes, out, source, shard);
-    int status = notes.failed ? complain(EXIT_IO, "out of memory")
-                              : make_free_head(&head, out, source, notes.data);
-    if (!status)
-        status = is_exported(out, RESULT_TABLE) ? begin_export(out, source, head)
-                                                : result_begin(&out->file[RESULT_TABLE], head);
-    graze_free(head);
-    return status;
+    if (notes.failed)
+        return complain(EXIT_IO, "out of memory");
+    TRY(make_free_head(&head, out, source, notes.data));
+    return is_exported(out, RESULT_TABLE) ? begin_export(out, source, head)
+                                          : result_begin(&out->file[RESULT_TABLE], head);
 }
 
 /* Write the head of a certificate; its line on the shard is before the last line. */
 static int begin_certificate(results *out, const char *shard) {
-    char *head = NULL;
-    graze_status made = graze_certificate_head(&head, out->l->context, out->l->certifier);
-    if (made)
-        return complain_of(made, out->l->context);
-    char *signs = strstr(head, "\nsigns ") + 1;
-    size_t room = strlen(head) + strlen(shard) + 1;
-    FREED(char, text, malloc(room));
-    if (text)
-        snprintf(text, room, "%.*s%s%s", (int)(signs - head), head, shard, signs);
-    int status = text ? result_begin(&out->file[RESULT_CERTIFICATE], text)
-                      : complain(EXIT_IO, "out of memory");
-    graze_free(head);
-    return status;
+    graze_context *context = out->l->context;
+    FREED(char, head, NULL);
+    HELD(text, all);
+    TRY(complain_of(graze_certificate_head(&head, context, out->l->certifier), context));
+    const char *signs = strstr(head, "\nsigns ") + 1;
+    text_bytes(&all, head, (size_t)(signs - head));
+    text_format(&all, "%s%s", shard, signs);
+    return all.failed ? complain(EXIT_IO, "out of memory")
+                      : result_begin(&out->file[RESULT_CERTIFICATE], all.data);
 }
 
 int results_begin(results *out, const row_source *source) {

@@ -111,8 +111,6 @@ typedef struct results {
 } results;
 
 void results_init(results *out, const classify_options *o, const loaded *l);
-/** Is a file of this kind wanted? */
-int results_wants(const results *out, result_kind kind);
 /** The file whose rows count for the run: the table, or else the certificate. */
 result *results_main(results *out);
 
@@ -135,25 +133,5 @@ int results_failed(const results *out);
 /** Flush and close the files. Returns `status`, or why the writing failed; after a signal reports
  * how many rows the files have. */
 int results_close(results *out, int status);
-
-/* Rows of contact points. */
-
-/** Contact points that were read: for each its time and d coordinates, its cell if rows have cells,
- * and its further columns if there are any. All is borrowed. */
-typedef struct site_rows {
-    const columns *columns;
-    graze_rationals number;
-    const graze_cell *cell;
-    const graze_row_texts *texts;
-    size_t count;
-} site_rows;
-
-/**
- * Write the rows of contact points as one text.
- * @param[out] r the text of the table is set, and `done`, the number of rows in this text
- * @return why row `done` has no answer
- */
-graze_status site_answer(row_run *r, graze_context *context, const graze_scene *scene,
-                         const site_rows *rows, graze_format format);
 
 #endif

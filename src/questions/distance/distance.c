@@ -12,6 +12,7 @@
 #include "base/number/rounding.h"
 #include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
 #include "input/motion/motion.h"
 #include "questions/distance/gap.h"
 #include "questions/distance/time_search.h"
@@ -159,6 +160,17 @@ graze_status distance_find(distance *out, graze_context *context, const graze_sc
     search_begin(&s, context, base, low, high, tolerance);
     graze_status status = find_off(out, &s, scene, trace);
     search_end(&s);
+    return status;
+}
+
+graze_status distance_at(distance *out, graze_pmc *pmc, graze_context *context,
+                         const graze_scene *scene, const fmpq *point, double tolerance) {
+    graze_trace trace;
+    TRY(classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS));
+    graze_status status = distance_find(out, context, scene, point, &trace, tolerance);
+    *pmc = trace.verdict.pmc;
+    out->at = NULL;
+    trace_clear(&trace);
     return status;
 }
 

@@ -34,6 +34,10 @@ typedef struct distance {
 graze_status distance_find(distance *out, graze_context *context, const graze_scene *scene,
                            const fmpq *point, const graze_trace *trace, double tolerance);
 
+/** Classify a point, and enclose its signed distance as distance_find does; `out->at` is NULL. */
+graze_status distance_at(distance *out, graze_pmc *pmc, graze_context *context,
+                         const graze_scene *scene, const fmpq *point, double tolerance);
+
 /** 1 if every motion within `motion_error` of this one gives the point the same answer
  * (proofs/distance.md C73). */
 int distance_is_certain(const distance *found, double motion_error);
