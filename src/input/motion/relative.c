@@ -14,14 +14,6 @@ static void common_interval(fmpq_t lo, fmpq_t hi, const graze_motion *a, const g
     fmpq_set(hi, fmpq_cmp(a_hi, b_hi) < 0 ? a_hi : b_hi);
 }
 
-/* The parameter u of a piece at the time t. */
-static void local_time(fmpq_t u, const motion_piece *piece, const fmpq_t t) {
-    LOCAL(fmpq, width);
-    fmpq_sub(u, t, piece->lo);
-    fmpq_sub(width, piece->hi, piece->lo);
-    fmpq_div(u, u, width);
-}
-
 /* Append the part of a piece between two of its times, with the forward map's entries as quotients.
  */
 static graze_status add_cut(draft *out, graze_context *context, const motion_piece *piece,
@@ -39,8 +31,8 @@ static graze_status add_cut(draft *out, graze_context *context, const motion_pie
         fmpz_poly_set(fmpz_poly_q_denref(whole.entry[k]), piece->forward.weight);
         quotient_reduce(whole.entry[k]);
     }
-    local_time(from, piece, lo);
-    local_time(to, piece, hi);
+    motion_parameter_at(from, piece, lo);
+    motion_parameter_at(to, piece, hi);
     affine_substitute(&c, &made->map, &whole, from, to);
     fmpq_set(made->lo, lo);
     fmpq_set(made->hi, hi);
