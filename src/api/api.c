@@ -109,8 +109,9 @@ graze_status api_options(void *out, size_t known, graze_context *context, const 
     return GRAZE_OK;
 }
 
-void api_rational_out(mpq_t out, const fmpq_t value) {
-    fmpq_get_mpq(out, value);
+void api_point_out(mpq_t *out, const fmpq *point, int dimension) {
+    for (int k = 0; k < dimension; k++)
+        fmpq_get_mpq(out[k], point + k);
 }
 
 static char version_text[256];
@@ -142,7 +143,7 @@ graze_status graze_number_parse(mpq_t out, graze_context *context, const char *t
     GIVEN(out, context, text); /* integer arithmetic alone: no floating-point mode disturbs it */
     LOCAL(fmpq, value);
     TRY(rational_parse(value, context, text, length));
-    api_rational_out(out, value);
+    fmpq_get_mpq(out, value);
     return GRAZE_OK;
 }
 
@@ -163,23 +164,14 @@ graze_status graze_scene_create(graze_scene **out, graze_context *context, const
     CREATE(out, made, free, scene_make(made, context, solid, motion, &taken));
 }
 
-void graze_scene_destroy(graze_scene *scene) {
-    if (scene)
-        scene_clear(scene);
-    free(scene);
-}
-
-int graze_scene_dimension(const graze_scene *scene) {
-    return scene ? scene->motion->dimension : 0;
-}
+DESTROYER(graze_scene, scene_clear(of))
+FACT(int, graze_scene_dimension, graze_scene, of->motion->dimension, 0)
 
 int graze_scene_ends_meet(const graze_scene *scene) {
     return graze_scene_ends(scene) == GRAZE_ENDS_MEET;
 }
 
-graze_ends graze_scene_ends(const graze_scene *scene) {
-    return scene ? scene->ends : GRAZE_ENDS_APART;
-}
+FACT(graze_ends, graze_scene_ends, graze_scene, of->ends, GRAZE_ENDS_APART)
 
 void graze_scene_options(graze_options *out, const graze_scene *scene) {
     const graze_options none = {0};
@@ -210,18 +202,14 @@ graze_status graze_scene_box(mpq_t *low, mpq_t *high, graze_context *context,
     LOCAL_VEC(fmpq, from, d);
     LOCAL_VEC(fmpq, to, d);
     TRY(scene_box(from, to, context, scene));
-    for (int k = 0; k < d; k++) {
-        api_rational_out(low[k], from + k);
-        api_rational_out(high[k], to + k);
-    }
+    api_point_out(low, from, d);
+    api_point_out(high, to, d);
     return GRAZE_OK;
 }
 
 graze_status graze_word_verdict(graze_verdict *out, graze_context *context, const char *word,
                                 size_t length, const graze_options *options) {
-    if (out)
-        memset(out, 0, sizeof *out);
-    PUBLIC(out, context, word);
+    PUBLIC_OUT(out, context, word);
     graze_options taken;
     TRY(take_options(&taken, context, "graze_word_verdict", options));
     if (verdict_of_word(out, word, length, &taken))
@@ -230,42 +218,6 @@ graze_status graze_word_verdict(graze_verdict *out, graze_context *context, cons
                         "'%.*s' is no word; expected letters O, I, B of which every second one is "
                         "B",
                         length > 40 ? 40 : (int)length, word);
-}
-
-/* Check the arguments that both graze_classify functions share; on success the verdicts are zeroed,
- * and *detail says how much of a trace is wanted. */
-static graze_status begin(trace_detail *detail, graze_verdict *out, graze_context *context,
-                          const graze_scene *scene, const void *points, size_t n,
-                          graze_columns columns) {
-    if (!context || !scene || (n && (!out || !points)))
-        return api_misuse(
-            context, "graze_classify",
-            "context and scene, and with n > 0 also out and points, must not be NULL");
-    if (columns != GRAZE_COLUMNS_ALL && columns != GRAZE_COLUMNS_PMC)
-        return api_misuse(context, "graze_classify", "columns have an unknown value");
-    if (n)
-        memset(out, 0, n * sizeof *out);
-    *detail = columns == GRAZE_COLUMNS_PMC ? TRACE_PMC : TRACE_WORD;
-    return columns == GRAZE_COLUMNS_PMC ? filter_lay_bricks(&scene->filter, context) : GRAZE_OK;
-}
-
-graze_status graze_classify(graze_verdict *out, graze_context *context, const graze_scene *scene,
-                            graze_rationals points, size_t n, graze_columns columns) {
-    IN_ENVIRONMENT();
-    trace_detail detail;
-    TRY(begin(&detail, out, context, scene, points, n, columns));
-    size_t d = (size_t)scene->motion->dimension;
-    LOCAL_VEC(fmpq, point, (slong)d);
-    for (size_t k = 0; k < n * d; k++)
-        TRY(api_coordinate(context, api_rational_check(context, points[k]), "point", k / d, k % d));
-    for (size_t p = 0; p < n; p++) {
-        query_point asked = {.rational = point};
-        for (size_t k = 0; k < d; k++)
-            fmpq_set_mpq(point + k, points[p * d + k]);
-        TRY(context_item(context, classify_answer(out + p, context, scene, asked, detail), "point",
-                         p, NULL));
-    }
-    return GRAZE_OK;
 }
 
 /* Refuse, by GRAZE_EINPUT, a coordinate that is not finite. */
@@ -279,20 +231,50 @@ static graze_status check_finite(graze_context *context, const double *point, si
     return GRAZE_OK;
 }
 
-graze_status graze_classify_doubles(graze_verdict *out, graze_context *context,
-                                    const graze_scene *scene, const double *points, size_t n,
-                                    graze_columns columns) {
+graze_status api_classify(graze_verdict *out, graze_context *context, const graze_scene *scene,
+                          graze_rationals rationals, const double *doubles, size_t n,
+                          graze_columns columns) {
+    static const char name[] = "graze_classify";
+    if (!context || !scene || (n && (!out || (!rationals && !doubles))))
+        return api_misuse(
+            context, name,
+            "context and scene, and with n > 0 also out and points, must not be NULL");
+    if (columns != GRAZE_COLUMNS_ALL && columns != GRAZE_COLUMNS_PMC)
+        return api_misuse(context, name, "columns have an unknown value");
     IN_ENVIRONMENT();
-    trace_detail detail;
-    TRY(begin(&detail, out, context, scene, points, n, columns));
+    int pmc_alone = columns == GRAZE_COLUMNS_PMC;
     size_t d = (size_t)scene->motion->dimension;
+    LOCAL_VEC(fmpq, point, (slong)d);
+    if (n)
+        memset(out, 0, n * sizeof *out);
+    TRY(pmc_alone ? filter_lay_bricks(&scene->filter, context) : GRAZE_OK);
+    for (size_t k = 0; rationals && k < n * d; k++)
+        TRY(api_coordinate(context, api_rational_check(context, rationals[k]), "point", k / d,
+                           k % d));
     for (size_t p = 0; p < n; p++) {
-        const double *point = points + p * d;
-        graze_status status = check_finite(context, point, d);
+        query_point asked = {.rational = point};
+        graze_status status = GRAZE_OK;
+        for (size_t k = 0; rationals && k < d; k++)
+            fmpq_set_mpq(point + k, rationals[p * d + k]);
+        if (doubles) {
+            asked = (query_point){.value = doubles + p * d};
+            status = check_finite(context, asked.value, d);
+        }
         if (!status)
             status =
-                classify_answer(out + p, context, scene, (query_point){.value = point}, detail);
+                classify_answer(out + p, context, scene, asked, pmc_alone ? TRACE_PMC : TRACE_WORD);
         TRY(context_item(context, status, "point", p, NULL));
     }
     return GRAZE_OK;
+}
+
+graze_status graze_classify(graze_verdict *out, graze_context *context, const graze_scene *scene,
+                            graze_rationals points, size_t n, graze_columns columns) {
+    return api_classify(out, context, scene, points, NULL, n, columns);
+}
+
+graze_status graze_classify_doubles(graze_verdict *out, graze_context *context,
+                                    const graze_scene *scene, const double *points, size_t n,
+                                    graze_columns columns) {
+    return api_classify(out, context, scene, NULL, points, n, columns);
 }

@@ -57,6 +57,22 @@
         return filled;                                                                             \
     } while (0)
 
+/** Define the destroyer of a handle, for which NULL is harmless: `clear`, an expression in `of`,
+ * frees what the handle has. */
+#define DESTROYER(type, clear)                                                                     \
+    void type##_destroy(type *of) {                                                                \
+        if (of)                                                                                    \
+            clear;                                                                                 \
+        free(of);                                                                                  \
+    }
+
+/** Define a public function that tells a fact, an expression in `of`, of a handle; for NULL it is
+ * `none`. */
+#define FACT(returned, function, handle, fact, none)                                               \
+    returned function(const handle *of) {                                                          \
+        return of ? fact : none;                                                                   \
+    }
+
 /** The message of a wrong call; GRAZE_EUSE also where there is no context to hold it. */
 graze_status api_misuse(graze_context *context, const char *function, const char *reason);
 
@@ -102,8 +118,17 @@ graze_status api_coordinate(graze_context *context, graze_status status, const c
 graze_status api_options(void *out, size_t known, graze_context *context, const char *function,
                          const void *options);
 
-/** Hand a rational to the caller's initialised variable. */
-void api_rational_out(mpq_t out, const fmpq_t value);
+/** Hand a point to the caller's initialised variables. */
+void api_point_out(mpq_t *out, const fmpq *point, int dimension);
+
+/** As graze_classify, of rationals or, if these are NULL, of doubles. */
+graze_status api_classify(graze_verdict *out, graze_context *context, const graze_scene *scene,
+                          graze_rationals rationals, const double *doubles, size_t n,
+                          graze_columns columns);
+
+/** Add vertices of the soup's dimension, rationals or, if these are NULL, doubles. */
+graze_status api_vertices(soup *s, graze_context *context, graze_rationals rationals,
+                          const double *doubles, size_t count);
 
 /* The enclosure of one point's distance, for public functions of more than one file. */
 
@@ -130,14 +155,18 @@ struct graze_grid {
 graze_status api_rows(graze_row_options *out, graze_context *context, const char *function,
                       const graze_row_options *options);
 
-/** Add the row of a point that was traced as row_detail says. `totals` are counted on, unless they
- * are NULL; `texts` may be NULL. */
-graze_status api_row(text *out, graze_row_totals *totals, graze_context *context,
-                     const graze_scene *scene, const fmpq *point, const graze_trace *trace,
-                     const graze_row_texts *texts, const graze_row_options *shown);
+struct certifier;
 
-/** Hand over the first `length` bytes, those of whole rows; none: `*out` stays NULL. */
-void api_whole_rows(char **out, size_t *out_length, text *t, size_t length);
+/**
+ * Trace points and make their rows: of a table in out[0], unless that is NULL, and with a certifier
+ * those of its certificate in out[1].
+ * @param[out] length, done the bytes of each, and the points whose rows are whole; no other row is
+ * handed over
+ */
+graze_status api_points(char **const out[2], size_t *const length[2], size_t *done,
+                        graze_row_totals *totals, graze_context *context, const graze_scene *scene,
+                        const struct certifier *certifier, graze_rationals points, size_t n,
+                        const graze_row_texts *texts, const graze_row_options *shown);
 
 /* Solids of OpenSCAD's `.csg` files. */
 

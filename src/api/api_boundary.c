@@ -50,11 +50,7 @@ graze_status graze_boundary_create(graze_boundary **out, graze_context *context,
     return make(out, context, scene, &o);
 }
 
-void graze_boundary_destroy(graze_boundary *b) {
-    if (b)
-        boundary_clear(b);
-    free(b);
-}
+DESTROYER(graze_boundary, boundary_clear(of))
 
 graze_boundary_summary graze_boundary_summarize(const graze_boundary *b) {
     graze_boundary_summary out = {0};
@@ -80,17 +76,12 @@ graze_boundary_summary graze_boundary_summarize(const graze_boundary *b) {
     return out;
 }
 
-static void give_point(mpq_t *out, const graze_boundary *b, const fmpq *point) {
-    for (int k = 0; k < b->dimension; k++)
-        api_rational_out(out[k], point + k);
-}
-
 graze_pmc graze_boundary_point(mpq_t *point, const graze_boundary *b, size_t index) {
     if (!point || !b || index >= b->points.count)
         return GRAZE_PMC_NONE;
     LOCAL_VEC(fmpq, at, b->dimension);
     lattice_point(at, b, b->points.key[index]);
-    give_point(point, b, at);
+    api_point_out(point, at, b->dimension);
     return (graze_pmc)b->points.value[index];
 }
 
@@ -117,7 +108,7 @@ void graze_boundary_vertex(mpq_t *point, const graze_boundary *b, size_t index) 
         return;
     LOCAL_VEC(fmpq, at, b->dimension);
     bisect_vertex(at, b, index);
-    give_point(point, b, at);
+    api_point_out(point, at, b->dimension);
 }
 
 void graze_boundary_vertex_between(mpq_t *outside, mpq_t *inside, const graze_boundary *b,
@@ -126,8 +117,8 @@ void graze_boundary_vertex_between(mpq_t *outside, mpq_t *inside, const graze_bo
         return;
     LOCAL_VEC(fmpq, at, 2 * b->dimension);
     bisect_between(at, at + b->dimension, b, index);
-    give_point(outside, b, at);
-    give_point(inside, b, at + b->dimension);
+    api_point_out(outside, at, b->dimension);
+    api_point_out(inside, at + b->dimension, b->dimension);
 }
 
 const size_t *graze_boundary_face(const graze_boundary *b, size_t index) {

@@ -3,13 +3,9 @@
  */
 #include "api/api.h"
 
-#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
-#include "decide/verdict/verdict.h"
-#include "output/report/report.h"
 #include "questions/certify/certify.h"
 
 struct graze_certifier {
@@ -24,12 +20,7 @@ graze_status graze_certifier_create(graze_certifier **out, graze_context *contex
     CREATE(out, made, free, certifier_make(&made->inner, context, scene, flags));
 }
 
-void graze_certifier_destroy(graze_certifier *certifier) {
-    if (!certifier)
-        return;
-    certifier_clear(&certifier->inner);
-    free(certifier);
-}
+DESTROYER(graze_certifier, certifier_clear(&of->inner))
 
 graze_status graze_certificate_head(char **out, graze_context *context,
                                     const graze_certifier *certifier) {
@@ -37,24 +28,6 @@ graze_status graze_certificate_head(char **out, graze_context *context,
     HELD(text, t);
     TRY(certify_head(&t, context, &certifier->inner));
     return text_finish(out, context, &t);
-}
-
-/* Trace one point and write its row of the certificate and, unless `table` is NULL, its row of the
- * table. */
-static graze_status certify_point(text *out, text *table, graze_row_totals *totals,
-                                  graze_context *context, const certifier *c, const fmpq *point,
-                                  const graze_row_texts *texts, const graze_row_options *shown) {
-    graze_trace trace;
-    trace_detail detail = table ? row_detail(shown) : TRACE_WORD;
-    TRY(classify_point(&trace, context, c->scene, (query_point){.rational = point},
-                       c->with_contacts ? TRACE_CONTACTS : detail));
-    graze_status status = certify_row(out, context, c, point, &trace);
-    if (!status && out->failed)
-        status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    if (!status && table)
-        status = api_row(table, totals, context, c->scene, point, &trace, texts, shown);
-    trace_clear(&trace);
-    return status;
 }
 
 graze_status graze_certificate_row(char **out, graze_context *context,
@@ -86,23 +59,8 @@ graze_status graze_certificate_points(char **out, size_t *length, char **table,
     REFUSED(shown.columns == GRAZE_COLUMNS_PMC,
             "a certificate needs all answers; expected no columns of pmc alone");
     IN_ENVIRONMENT();
-    graze_status status = GRAZE_OK;
-    size_t d = (size_t)certifier->inner.scene->motion->dimension, whole = 0, whole_rows = 0;
-    LOCAL_VEC(fmpq, point, (slong)d);
-    text certificate, rows;
-    text_init(&certificate);
-    text_init(&rows);
-    for (size_t k = 0; k < n && !status; k++) {
-        status = api_point(point, context, certifier->inner.scene, points + k * d);
-        if (!status)
-            status = certify_point(&certificate, table ? &rows : NULL, totals, context,
-                                   &certifier->inner, point, texts ? texts + k : NULL, &shown);
-        whole = status ? whole : certificate.length;
-        whole_rows = status ? whole_rows : rows.length;
-        *done += !status;
-    }
-    api_whole_rows(out, length, &certificate, whole);
-    if (table)
-        api_whole_rows(table, table_length, &rows, whole_rows);
-    return status;
+    char **const to[2] = {table, out};
+    size_t *const lengths[2] = {table_length, length};
+    return api_points(to, lengths, done, totals, context, certifier->inner.scene, &certifier->inner,
+                      points, n, texts, &shown);
 }

@@ -69,28 +69,11 @@ graze_status graze_pair_create(graze_pair **out, graze_context *context, const g
                      motion_of_fixed));
 }
 
-void graze_pair_destroy(graze_pair *pair) {
-    if (!pair)
-        return;
-    collide_clear(pair);
-    free(pair);
-}
-
-graze_pair_verdict graze_pair_get_verdict(const graze_pair *pair) {
-    return pair ? collide_verdict(pair) : GRAZE_PAIR_NONE;
-}
-
-const char *graze_pair_word(const graze_pair *pair) {
-    return pair ? pair->walk.word : "";
-}
-
-graze_state graze_pair_next(const graze_pair *pair) {
-    return pair ? collide_next(pair) : GRAZE_STATE_ABSENT;
-}
-
-size_t graze_pair_contact_count(const graze_pair *pair) {
-    return pair ? pair->walk.contact_count : 0;
-}
+DESTROYER(graze_pair, collide_clear(of))
+FACT(graze_pair_verdict, graze_pair_get_verdict, graze_pair, collide_verdict(of), GRAZE_PAIR_NONE)
+FACT(const char *, graze_pair_word, graze_pair, of->walk.word, "")
+FACT(graze_state, graze_pair_next, graze_pair, collide_next(of), GRAZE_STATE_ABSENT)
+FACT(size_t, graze_pair_contact_count, graze_pair, of->walk.contact_count, 0)
 
 graze_pair_contact graze_pair_get_contact(const graze_pair *pair, size_t index) {
     graze_pair_contact out = {0};
@@ -109,17 +92,13 @@ graze_pair_contact graze_pair_get_contact(const graze_pair *pair, size_t index) 
     return out;
 }
 
-const graze_time *graze_pair_overlap_time(const graze_pair *pair) {
-    return pair ? collide_overlap_time(pair) : NULL;
-}
+FACT(const graze_time *, graze_pair_overlap_time, graze_pair, collide_overlap_time(of), NULL)
 
 const char *graze_pair_verdict_name(graze_pair_verdict verdict) {
     return pair_verdict_name(verdict);
 }
 
-const char *graze_cell_pair_name(const graze_cell_pair *cells) {
-    return cells ? cell_pair_name(cells) : "";
-}
+FACT(const char *, graze_cell_pair_name, graze_cell_pair, cell_pair_name(of), "")
 
 graze_status graze_pair_text(char **out, graze_context *context, const graze_pair *pair) {
     PUBLIC_OUT(out, context, pair);

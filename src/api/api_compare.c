@@ -28,11 +28,7 @@ graze_status graze_compare(graze_comparison **out, graze_context *context, const
            comparison_make(made, context, golden, candidate, &taken));
 }
 
-void graze_comparison_destroy(graze_comparison *comparison) {
-    if (comparison)
-        comparison_clear(comparison);
-    free(comparison);
-}
+DESTROYER(graze_comparison, comparison_clear(of))
 
 graze_comparison_counts graze_comparison_count(const graze_comparison *comparison) {
     graze_comparison_counts counts = {0};
@@ -58,9 +54,7 @@ graze_disagreement graze_comparison_disagreement(const graze_comparison *compari
                                 d->point, d->golden,      d->candidate};
 }
 
-const char *graze_comparison_head(const graze_comparison *comparison) {
-    return comparison ? comparison->explain_options : "";
-}
+FACT(const char *, graze_comparison_head, graze_comparison, of->explain_options, "")
 
 graze_status graze_comparison_report(char **out, graze_context *context,
                                      const graze_comparison *comparison,

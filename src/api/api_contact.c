@@ -65,44 +65,28 @@ graze_status graze_site_snap_at(graze_site **out, graze_context *context, const 
 int graze_site_shift(mpq_t out, const graze_site *site) {
     if (!site || !site->snapped || site->missed)
         return 0;
-    api_rational_out(out, site->shift);
+    fmpq_get_mpq(out, site->shift);
     return 1;
 }
 
-void graze_site_destroy(graze_site *site) {
-    if (!site)
-        return;
-    site_clear(site);
-    free(site);
-}
-
-graze_site_facts graze_site_get(const graze_site *site) {
-    graze_site_facts none = {0};
-    return site ? site->facts : none;
-}
+DESTROYER(graze_site, site_clear(of))
+FACT(graze_site_facts, graze_site_get, graze_site, of->facts, (graze_site_facts){0})
 
 void graze_site_point(mpq_t *body, mpq_t *world, const graze_site *site) {
-    for (int k = 0; body && world && site && k < site->dimension; k++) {
-        api_rational_out(body[k], site->y + k);
-        api_rational_out(world[k], site->world + k);
-    }
+    if (!body || !world || !site)
+        return;
+    api_point_out(body, site->y, site->dimension);
+    api_point_out(world, site->world, site->dimension);
 }
 
-const graze_time *graze_site_near(const graze_site *site) {
-    return site ? site->near : NULL;
-}
-
-const graze_time *graze_site_near_in(const graze_site *site) {
-    return site ? site->near_in : NULL;
-}
+FACT(const graze_time *, graze_site_near, graze_site, of->near, NULL)
+FACT(const graze_time *, graze_site_near_in, graze_site, of->near_in, NULL)
 
 const graze_trace *graze_site_trace(const graze_site *site) {
     return site && !site->missed ? &site->trace : NULL;
 }
 
-size_t graze_site_germ_count(const graze_site *site) {
-    return site ? site->germ_count : 0;
-}
+FACT(size_t, graze_site_germ_count, graze_site, of->germ_count, 0)
 
 graze_site_germ graze_site_germ_at(mpq_t speed, mpq_t drift, mpq_t theta, const graze_site *site,
                                    size_t index) {
@@ -115,9 +99,9 @@ graze_site_germ graze_site_germ_at(mpq_t speed, mpq_t drift, mpq_t theta, const 
     out.order = germ->order;
     out.sign = germ->sign;
     if (speed && drift && theta) {
-        api_rational_out(speed, germ->speed);
-        api_rational_out(drift, germ->drift);
-        api_rational_out(theta, germ->theta);
+        fmpq_get_mpq(speed, germ->speed);
+        fmpq_get_mpq(drift, germ->drift);
+        fmpq_get_mpq(theta, germ->theta);
     }
     return out;
 }

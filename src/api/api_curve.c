@@ -19,16 +19,8 @@ graze_status graze_curve_create(graze_curve **out, graze_context *context,
     CREATE(out, made, free, contact_curve_make(made, context, envelope, t));
 }
 
-void graze_curve_destroy(graze_curve *curve) {
-    if (!curve)
-        return;
-    contact_curve_clear(curve);
-    free(curve);
-}
-
-size_t graze_curve_count(const graze_curve *curve) {
-    return curve ? curve->count : 0;
-}
+DESTROYER(graze_curve, contact_curve_clear(of))
+FACT(size_t, graze_curve_count, graze_curve, of->count, 0)
 
 graze_curve_part graze_curve_at(const graze_curve *curve, size_t index) {
     graze_curve_part none = {0};
@@ -36,10 +28,10 @@ graze_curve_part graze_curve_at(const graze_curve *curve, size_t index) {
 }
 
 void graze_curve_ends(mpq_t *a, mpq_t *b, const graze_curve *curve, size_t index) {
-    for (int i = 0; a && b && index < graze_curve_count(curve) && i < curve->dimension; i++) {
-        api_rational_out(a[i], curve->part[index].a + i);
-        api_rational_out(b[i], curve->part[index].b + i);
-    }
+    if (!a || !b || index >= graze_curve_count(curve))
+        return;
+    api_point_out(a, curve->part[index].a, curve->dimension);
+    api_point_out(b, curve->part[index].b, curve->dimension);
 }
 
 graze_status graze_curve_header(char **out, graze_context *context, const graze_envelope *envelope,

@@ -27,11 +27,12 @@ graze_status api_enclose(graze_enclosure *out, graze_context *context, const gra
     return status;
 }
 
-/* Check the arguments that both graze_distances functions share, and zero the enclosures. */
-static graze_status begin_distances(graze_enclosure *out, graze_context *context,
-                                    const graze_scene *scene, const void *points, size_t n,
-                                    double tolerance, const char *function) {
-    if (!context || !scene || (n && (!out || !points)))
+/* Enclose the distances of points given as rationals or, if `rationals` is NULL, as doubles. */
+static graze_status enclose_points(graze_enclosure *out, graze_context *context,
+                                   const char *function, const graze_scene *scene,
+                                   graze_rationals rationals, const double *doubles, size_t n,
+                                   double tolerance) {
+    if (!context || !scene || (n && (!out || (!rationals && !doubles))))
         return api_misuse(
             context, function,
             "context and scene, and with n > 0 also out and points, must not be NULL");
@@ -40,13 +41,6 @@ static graze_status begin_distances(graze_enclosure *out, graze_context *context
     TRY(api_takes(context, function, scene->solid));
     if (n)
         memset(out, 0, n * sizeof *out);
-    return GRAZE_OK;
-}
-
-/* Enclose the distances of points given as rationals or, if `rationals` is NULL, as doubles. */
-static graze_status enclose_points(graze_enclosure *out, graze_context *context,
-                                   const graze_scene *scene, graze_rationals rationals,
-                                   const double *doubles, size_t n, double tolerance) {
     IN_ENVIRONMENT();
     size_t d = (size_t)scene->motion->dimension;
     LOCAL_VEC(fmpq, point, (slong)d);
@@ -64,15 +58,13 @@ static graze_status enclose_points(graze_enclosure *out, graze_context *context,
 
 graze_status graze_distances(graze_enclosure *out, graze_context *context, const graze_scene *scene,
                              graze_rationals points, size_t n, double tolerance) {
-    TRY(begin_distances(out, context, scene, points, n, tolerance, __func__));
-    return enclose_points(out, context, scene, points, NULL, n, tolerance);
+    return enclose_points(out, context, __func__, scene, points, NULL, n, tolerance);
 }
 
 graze_status graze_distances_doubles(graze_enclosure *out, graze_context *context,
                                      const graze_scene *scene, const double *points, size_t n,
                                      double tolerance) {
-    TRY(begin_distances(out, context, scene, points, n, tolerance, __func__));
-    return enclose_points(out, context, scene, NULL, points, n, tolerance);
+    return enclose_points(out, context, __func__, scene, NULL, points, n, tolerance);
 }
 
 graze_status graze_scene_diagonal(double *out, graze_context *context, const graze_scene *scene) {

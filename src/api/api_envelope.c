@@ -19,12 +19,7 @@ graze_status graze_envelope_create(graze_envelope **out, graze_context *context,
     CREATE(out, made, free, envelope_make(made, context, scene));
 }
 
-void graze_envelope_destroy(graze_envelope *envelope) {
-    if (!envelope)
-        return;
-    envelope_clear(envelope);
-    free(envelope);
-}
+DESTROYER(graze_envelope, envelope_clear(of))
 
 static graze_decomposable answer_of(graze_decomposable_reason reason) {
     return reason == GRAZE_REASON_POSITIVE ? GRAZE_DECOMPOSABLE_YES
@@ -47,9 +42,7 @@ graze_envelope_facts graze_envelope_get(const graze_envelope *envelope) {
     return out;
 }
 
-size_t graze_envelope_event_count(const graze_envelope *envelope) {
-    return envelope ? envelope->events.count : 0;
-}
+FACT(size_t, graze_envelope_event_count, graze_envelope, of->events.count, 0)
 
 graze_event graze_envelope_event(const graze_envelope *envelope, size_t index) {
     graze_event out = {0};

@@ -40,12 +40,7 @@ graze_status graze_generator_create(graze_generator **out, graze_context *contex
     return status;
 }
 
-void graze_generator_destroy(graze_generator *generator) {
-    if (!generator)
-        return;
-    generator_clear(generator);
-    free(generator);
-}
+DESTROYER(graze_generator, generator_clear(of))
 
 unsigned long graze_generator_weight(const graze_generator *generator, graze_stratum stratum) {
     return generator && stratum_name(stratum) ? generator->weight[stratum] : 0;
@@ -63,10 +58,8 @@ int graze_generator_missing_decade(int *decade, int *outward, const graze_genera
 void graze_generator_box(mpq_t *low, mpq_t *high, const graze_generator *generator) {
     if (!low || !high || !generator)
         return;
-    for (int i = 0; i < generator->scene->motion->dimension; i++) {
-        api_rational_out(low[i], generator->low + i);
-        api_rational_out(high[i], generator->high + i);
-    }
+    api_point_out(low, generator->low, generator->scene->motion->dimension);
+    api_point_out(high, generator->high, generator->scene->motion->dimension);
 }
 
 graze_status graze_generator_point(mpq_t *point, mpq_t time, graze_sample *out,
@@ -77,8 +70,8 @@ graze_status graze_generator_point(mpq_t *point, mpq_t time, graze_sample *out,
     HELD(sample, s);
     graze_status status = generator_sample(&s, context, generator, row);
     *out = s.made;
-    for (int i = 0; i < generator->scene->motion->dimension && !status; i++)
-        api_rational_out(point[i], s.point + i);
-    api_rational_out(time, s.time);
+    if (!status)
+        api_point_out(point, s.point, generator->scene->motion->dimension);
+    fmpq_get_mpq(time, s.time);
     return status;
 }

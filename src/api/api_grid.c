@@ -73,9 +73,7 @@ void graze_grid_destroy(graze_grid *grid) {
     free(grid);
 }
 
-size_t graze_grid_count(const graze_grid *grid) {
-    return grid ? grid->lattice.count : 0;
-}
+FACT(size_t, graze_grid_count, graze_grid, of->lattice.count, 0)
 
 /* How many of the points first, first + step, ... there are, at most `count`. */
 static size_t points_there(const graze_grid *grid, size_t first, size_t step, size_t count) {
@@ -100,7 +98,7 @@ void graze_grid_points(mpq_t *points, const graze_grid *grid, size_t first, size
                 continue;
             }
             lattice_coordinate(coordinate, &grid->lattice, k, place[k]);
-            api_rational_out(*points, coordinate);
+            fmpq_get_mpq(*points, coordinate);
             last[k] = place[k];
         }
     }

@@ -42,19 +42,6 @@ graze_status graze_mesh_read(graze_mesh **out, graze_context *context, const cha
     CREATE(out, made, graze_mesh_destroy, mesh_from_file(made, context, path, flags));
 }
 
-static graze_status take_vertices(soup *s, graze_context *context, const double *vertices,
-                                  size_t count) {
-    LOCAL_VEC(fmpq, point, 3);
-    for (size_t v = 0; v < count; v++) {
-        for (size_t k = 0; k < 3; k++)
-            TRY(api_coordinate(context,
-                               rational_from_double(point + k, context, vertices[3 * v + k]),
-                               "vertex", v, k));
-        TRY(soup_add_vertex(s, context, point));
-    }
-    return GRAZE_OK;
-}
-
 static graze_status take_triangles(soup *s, graze_context *context, const size_t *triangles,
                                    size_t count) {
     for (size_t k = 0; k < 3 * count; k++) {
@@ -77,7 +64,7 @@ static graze_status mesh_from_arrays(graze_mesh *m, graze_context *context, cons
                                      size_t vertex_count, const size_t *triangles,
                                      size_t triangle_count) {
     soup_init(&m->input, 3);
-    TRY(take_vertices(&m->input, context, vertices, vertex_count));
+    TRY(api_vertices(&m->input, context, NULL, vertices, vertex_count));
     TRY(take_triangles(&m->input, context, triangles, triangle_count));
     return mesh_of_soup(m, context, 0);
 }
@@ -120,7 +107,7 @@ graze_mesh_facts graze_mesh_get_facts(const graze_mesh *mesh) {
 int graze_mesh_volume(mpq_t out, const graze_mesh *mesh) {
     if (!mesh || mesh->judged.rule != GRAZE_MESH_WINDING)
         return 0;
-    api_rational_out(out, mesh->judged.volume);
+    fmpq_get_mpq(out, mesh->judged.volume);
     return 1;
 }
 
@@ -135,8 +122,7 @@ int graze_mesh_windings(int *least, int *most, const graze_mesh *mesh) {
 void graze_mesh_vertex(mpq_t *point, const graze_mesh *mesh, size_t index) {
     if (!mesh || index >= mesh->input.vertex_count)
         return;
-    for (size_t k = 0; k < 3; k++)
-        fmpq_get_mpq(point[k], mesh->input.coordinates + 3 * index + k);
+    api_point_out(point, mesh->input.coordinates + 3 * index, 3);
 }
 
 void graze_mesh_triangle(size_t *vertex, const graze_mesh *mesh, size_t index) {
@@ -244,12 +230,7 @@ graze_status graze_judge(graze_judgement **out, graze_context *context, const gr
     CREATE(out, made, graze_judgement_destroy, judge_by(made, context, scene, mesh, &checked));
 }
 
-void graze_judgement_destroy(graze_judgement *judgement) {
-    if (!judgement)
-        return;
-    suprema_clear(&judgement->searched);
-    free(judgement);
-}
+DESTROYER(graze_judgement, suprema_clear(&of->searched))
 
 graze_judged_distance graze_judgement_distance(const graze_judgement *judgement,
                                                graze_judged which) {
@@ -272,24 +253,23 @@ graze_judged_distance graze_judgement_distance(const graze_judgement *judgement,
 void graze_judgement_volume(mpq_t low, mpq_t high, const graze_judgement *judgement) {
     if (!judgement)
         return;
-    api_rational_out(low, judgement->searched.volume + 2 * IN_SWEEP);
-    api_rational_out(high, judgement->searched.volume + 2 * IN_SWEEP + 1);
+    fmpq_get_mpq(low, judgement->searched.volume + 2 * IN_SWEEP);
+    fmpq_get_mpq(high, judgement->searched.volume + 2 * IN_SWEEP + 1);
 }
 
 int graze_judgement_difference(mpq_t missing_low, mpq_t missing_high, mpq_t excess_low,
                                mpq_t excess_high, const graze_judgement *judgement) {
     if (!judgement || !judgement->searched.has_difference)
         return 0;
-    api_rational_out(missing_low, judgement->searched.volume + 2 * MISSING);
-    api_rational_out(missing_high, judgement->searched.volume + 2 * MISSING + 1);
-    api_rational_out(excess_low, judgement->searched.volume + 2 * EXCESS);
-    api_rational_out(excess_high, judgement->searched.volume + 2 * EXCESS + 1);
+    fmpq_get_mpq(missing_low, judgement->searched.volume + 2 * MISSING);
+    fmpq_get_mpq(missing_high, judgement->searched.volume + 2 * MISSING + 1);
+    fmpq_get_mpq(excess_low, judgement->searched.volume + 2 * EXCESS);
+    fmpq_get_mpq(excess_high, judgement->searched.volume + 2 * EXCESS + 1);
     return 1;
 }
 
-unsigned long graze_judgement_cost(const graze_judgement *judgement) {
-    return judgement ? judgement->searched.space.decided + judgement->searched.asked : 0;
-}
+FACT(unsigned long, graze_judgement_cost, graze_judgement,
+     of->searched.space.decided + of->searched.asked, 0)
 
 graze_status graze_judgement_report(char **out, graze_context *context,
                                     const graze_judgement *judgement,

@@ -28,20 +28,14 @@ typedef struct judge_page {
 } judge_page;
 
 /* Take the corners of the triangles, and as distance of a vertex the middle of its enclosure. */
-static graze_status take_mesh(judge_page *p, graze_context *context, const graze_mesh *mesh,
-                              const graze_enclosure *found) {
+static void take_mesh(judge_page *p, const graze_mesh *mesh, const graze_enclosure *found) {
     const simplices *cut = &mesh->judged.cut;
     size_t vertices = mesh->input.vertex_count;
-    p->distance = calloc(vertices + 1, sizeof *p->distance);
-    p->corners = calloc(3 * cut->count + 1, sizeof *p->corners);
-    if (!p->distance || !p->corners)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a page");
     for (size_t v = 0; v < vertices; v++)
         p->distance[v] = 0.5 * found[v].low + 0.5 * found[v].high;
     for (size_t k = 0; k < 3 * cut->count; k++)
         p->corners[k] = cut->item[k / 3].vertex[k % 3];
     p->mesh = (draw_mesh){mesh->input.coordinates, vertices, p->corners, cut->count, p->distance};
-    return GRAZE_OK;
 }
 
 /* Set the box to that of the scene, enlarged to hold the mesh. */
@@ -85,27 +79,26 @@ graze_status graze_judgement_draw(graze_context *context, const graze_scene *sce
     PUBLIC(context, scene, judgement, file, found);
     REFUSED(!file_has_extension(file, "html"), "the file is no page; expected a name in .html");
     REFUSED(title && strlen(title) > 512, "title must have at most 512 bytes");
-    judge_page p = {.box = _fmpq_vec_init(6), .places = _fmpq_vec_init(3 * MOST_PLACES)};
-    graze_status status = take_mesh(&p, context, judgement->mesh, found);
-    if (!status)
-        status = box_with_mesh(&p, context, scene);
-    if (!status)
-        status = take_places(&p, context, judgement);
+    const graze_mesh *mesh = judgement->mesh;
+    LOCAL_VEC(fmpq, box, 6);
+    LOCAL_VEC(fmpq, places, 3 * MOST_PLACES);
+    FREED(double, distance, calloc(mesh->input.vertex_count + 1, sizeof *distance));
+    FREED(uint32_t, corners, calloc(3 * mesh->judged.cut.count + 1, sizeof *corners));
+    if (!distance || !corners)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a page");
+    judge_page p = {.distance = distance, .corners = corners, .box = box, .places = places};
+    take_mesh(&p, mesh, found);
+    TRY(box_with_mesh(&p, context, scene));
+    TRY(take_places(&p, context, judgement));
     draw_request request = {.title = title,
                             .times = 5,
-                            .low = p.box,
-                            .high = p.box + 3,
+                            .low = box,
+                            .high = box + 3,
                             .plane_axis = 2,
                             .view = {2, -3, 2},
-                            .points = p.places,
+                            .points = places,
                             .point_count = p.place_count,
                             .names = p.name,
                             .mesh = &p.mesh};
-    if (!status)
-        status = page_write(context, scene, file, &request);
-    _fmpq_vec_clear(p.box, 6);
-    _fmpq_vec_clear(p.places, 3 * MOST_PLACES);
-    free(p.distance);
-    free(p.corners);
-    return status;
+    return page_write(context, scene, file, &request);
 }

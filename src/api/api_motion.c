@@ -22,13 +22,8 @@ void graze_motion_destroy(graze_motion *motion) {
         motion_destroy(motion);
 }
 
-int graze_motion_dimension(const graze_motion *motion) {
-    return motion ? motion->dimension : 0;
-}
-
-size_t graze_motion_piece_count(const graze_motion *motion) {
-    return motion ? motion->piece_count : 0;
-}
+FACT(int, graze_motion_dimension, graze_motion, of->dimension, 0)
+FACT(size_t, graze_motion_piece_count, graze_motion, of->piece_count, 0)
 
 graze_status graze_motion_text(char **out, graze_context *context, const graze_motion *motion) {
     PUBLIC_OUT(out, context, motion);

@@ -50,7 +50,7 @@ graze_outline_facts graze_outline_get(const graze_outline *outline) {
 int graze_outline_area(mpq_t out, const graze_outline *outline) {
     if (!outline || !outline->area.is_exact)
         return 0;
-    api_rational_out(out, outline->area.exact);
+    fmpq_get_mpq(out, outline->area.exact);
     return 1;
 }
 

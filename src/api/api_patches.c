@@ -16,16 +16,8 @@ graze_status graze_patches_create(graze_patches **out, graze_context *context,
     CREATE(out, made, free, patches_make(made, context, envelope));
 }
 
-void graze_patches_destroy(graze_patches *patches) {
-    if (!patches)
-        return;
-    patches_clear(patches);
-    free(patches);
-}
-
-size_t graze_patches_count(const graze_patches *patches) {
-    return patches ? patches->count : 0;
-}
+DESTROYER(graze_patches, patches_clear(of))
+FACT(size_t, graze_patches_count, graze_patches, of->count, 0)
 
 graze_patch graze_patches_at(const graze_patches *patches, size_t index) {
     graze_patch none = {0};
@@ -38,15 +30,11 @@ void graze_patches_sample(mpq_t time, mpq_t *body, mpq_t *world, const graze_pat
         return;
     const patch *item = &patches->item[index];
     fmpq_get_mpq(time, item->t);
-    for (int i = 0; i < patches->envelope->cells.dimension; i++) {
-        fmpq_get_mpq(body[i], item->body + i);
-        fmpq_get_mpq(world[i], item->world + i);
-    }
+    api_point_out(body, item->body, patches->envelope->cells.dimension);
+    api_point_out(world, item->world, patches->envelope->cells.dimension);
 }
 
-size_t graze_patches_joint_count(const graze_patches *patches) {
-    return patches ? patches->joint_count : 0;
-}
+FACT(size_t, graze_patches_joint_count, graze_patches, of->joint_count, 0)
 
 graze_patch_joint graze_patches_joint(const graze_patches *patches, size_t index) {
     graze_patch_joint out = {0};

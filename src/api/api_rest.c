@@ -25,8 +25,7 @@ static graze_status classify_at_rest(graze_pmc *out, graze_context *context,
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu points", n);
     TRY(graze_scene_at_rest(&scene, context, solid));
     graze_status status =
-        rationals ? graze_classify(verdict, context, scene, rationals, n, GRAZE_COLUMNS_PMC)
-                  : graze_classify_doubles(verdict, context, scene, doubles, n, GRAZE_COLUMNS_PMC);
+        api_classify(verdict, context, scene, rationals, doubles, n, GRAZE_COLUMNS_PMC);
     for (size_t k = 0; k < n; k++)
         out[k] = verdict[k].pmc;
     graze_scene_destroy(scene);

@@ -11,6 +11,7 @@
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
 #include "output/report/report.h"
+#include "questions/certify/certify.h"
 
 /* Check that the columns behind the verdict go with each other and with the form of rows. */
 static graze_status check_sets(graze_context *context, const char *function,
@@ -77,9 +78,11 @@ static graze_status check_scene(graze_context *context, const graze_scene *scene
     return api_misuse(context, "regular", "the scene is a sweep; expected an unsweep");
 }
 
-graze_status api_row(text *out, graze_row_totals *totals, graze_context *context,
-                     const graze_scene *scene, const fmpq *point, const graze_trace *trace,
-                     const graze_row_texts *texts, const graze_row_options *shown) {
+/* Add the row of a point that was traced as row_detail says. `totals` are counted on, unless they
+ * are NULL; `texts` may be NULL. */
+static graze_status add_row(text *out, graze_row_totals *totals, graze_context *context,
+                            const graze_scene *scene, const fmpq *point, const graze_trace *trace,
+                            const graze_row_texts *texts, const graze_row_options *shown) {
     row r;
     TRY(check_scene(context, scene, shown));
     graze_status status = row_answer(&r, context, scene, shown, point, trace);
@@ -120,23 +123,31 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
     LOCAL_VEC(fmpq, p, scene->motion->dimension);
     HELD(text, t);
     TRY(api_point(p, context, scene, point));
-    TRY(api_row(&t, NULL, context, scene, p, trace, texts, &shown));
+    TRY(add_row(&t, NULL, context, scene, p, trace, texts, &shown));
     return text_finish(out, context, &t);
 }
 
-/* Trace one point and add its row. */
-static graze_status report_point(text *out, graze_row_totals *totals, graze_context *context,
-                                 const graze_scene *scene, const fmpq *point,
-                                 const graze_row_texts *texts, const graze_row_options *shown) {
+/* Trace one point and add its rows; `table` is NULL where none is wanted. */
+static graze_status trace_rows(text *table, text *certificate, graze_row_totals *totals,
+                               graze_context *context, const graze_scene *scene, const certifier *c,
+                               const fmpq *point, const graze_row_texts *texts,
+                               const graze_row_options *shown) {
     graze_trace trace;
-    TRY(classify_point(&trace, context, scene, (query_point){.rational = point},
-                       row_detail(shown)));
-    graze_status status = api_row(out, totals, context, scene, point, &trace, texts, shown);
+    trace_detail detail = c && c->with_contacts ? TRACE_CONTACTS
+                          : table               ? row_detail(shown)
+                                                : TRACE_WORD;
+    TRY(classify_point(&trace, context, scene, (query_point){.rational = point}, detail));
+    graze_status status = c ? certify_row(certificate, context, c, point, &trace) : GRAZE_OK;
+    if (!status && certificate->failed)
+        status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    if (!status && table)
+        status = add_row(table, totals, context, scene, point, &trace, texts, shown);
     trace_clear(&trace);
     return status;
 }
 
-void api_whole_rows(char **out, size_t *out_length, text *t, size_t length) {
+/* Hand over the first `length` bytes, those of whole rows; none: `*out` stays NULL. */
+static void whole_rows(char **out, size_t *out_length, text *t, size_t length) {
     if (!length) {
         text_clear(t);
         return;
@@ -144,6 +155,30 @@ void api_whole_rows(char **out, size_t *out_length, text *t, size_t length) {
     t->data[length] = '\0';
     *out = t->data;
     *out_length = length;
+}
+
+graze_status api_points(char **const out[2], size_t *const length[2], size_t *done,
+                        graze_row_totals *totals, graze_context *context, const graze_scene *scene,
+                        const certifier *certifier, graze_rationals points, size_t n,
+                        const graze_row_texts *texts, const graze_row_options *shown) {
+    graze_status status = GRAZE_OK;
+    size_t d = (size_t)scene->motion->dimension, whole[2] = {0, 0};
+    LOCAL_VEC(fmpq, point, (slong)d);
+    text made[2];
+    for (int m = 0; m < 2; m++)
+        text_init(&made[m]);
+    for (size_t k = 0; k < n && !status; k++) {
+        status = api_point(point, context, scene, points + k * d);
+        if (!status)
+            status = trace_rows(out[0] ? made : NULL, made + 1, totals, context, scene, certifier,
+                                point, texts ? texts + k : NULL, shown);
+        for (int m = 0; m < 2 && !status; m++)
+            whole[m] = made[m].length;
+        *done += !status;
+    }
+    for (int m = 0; m < 2; m++)
+        whole_rows(out[m], length[m], &made[m], whole[m]);
+    return status;
 }
 
 graze_status graze_report_points(char **out, size_t *length, size_t *done, graze_row_totals *totals,
@@ -159,24 +194,12 @@ graze_status graze_report_points(char **out, size_t *length, size_t *done, graze
             "out, length, done, context and scene, and with n > 0 also points, must "
             "not be NULL");
     IN_ENVIRONMENT();
-    graze_status status = GRAZE_OK;
     TRY(api_rows(&shown, context, __func__, options));
     if (shown.columns == GRAZE_COLUMNS_PMC)
         TRY(filter_lay_bricks(&scene->filter, context));
-    size_t d = (size_t)scene->motion->dimension, whole = 0;
-    LOCAL_VEC(fmpq, point, (slong)d);
-    text t;
-    text_init(&t);
-    for (size_t k = 0; k < n && !status; k++) {
-        status = api_point(point, context, scene, points + k * d);
-        if (!status)
-            status =
-                report_point(&t, totals, context, scene, point, texts ? texts + k : NULL, &shown);
-        whole = status ? whole : t.length;
-        *done += !status;
-    }
-    api_whole_rows(out, length, &t, whole);
-    return status;
+    char **const to[2] = {out, NULL};
+    size_t *const lengths[2] = {length, NULL};
+    return api_points(to, lengths, done, totals, context, scene, NULL, points, n, texts, &shown);
 }
 
 graze_status graze_report_point(char **out, graze_context *context, const graze_scene *scene,

@@ -140,14 +140,15 @@ static graze_status check_arrays(arrays *a, graze_context *context, unsigned fla
     return GRAZE_OK;
 }
 
-static graze_status add_vertices(soup *s, graze_context *context, const arrays *a) {
-    size_t d = (size_t)a->dimension;
+graze_status api_vertices(soup *s, graze_context *context, graze_rationals rationals,
+                          const double *doubles, size_t count) {
+    size_t d = (size_t)s->dimension;
     LOCAL_VEC(fmpq, point, (slong)d);
-    for (size_t v = 0; v < a->vertex_count; v++) {
+    for (size_t v = 0; v < count; v++) {
         for (size_t k = 0; k < d; k++) {
             graze_status status =
-                a->doubles ? rational_from_double(point + k, context, a->doubles[v * d + k])
-                           : api_rational(point + k, context, a->rationals[v * d + k]);
+                rationals ? api_rational(point + k, context, rationals[v * d + k])
+                          : rational_from_double(point + k, context, doubles[v * d + k]);
             TRY(api_coordinate(context, status, "vertex", v, k));
         }
         TRY(soup_add_vertex(s, context, point));
@@ -173,7 +174,7 @@ static graze_status make_solid(graze_solid **out, graze_context *context, arrays
     TRY(check_arrays(a, context, flags));
     soup input;
     soup_init(&input, a->dimension);
-    graze_status status = add_vertices(&input, context, a);
+    graze_status status = api_vertices(&input, context, a->rationals, a->doubles, a->vertex_count);
     if (!status)
         status = add_facets(&input, context, a);
     if (!status)
@@ -200,13 +201,8 @@ graze_status graze_solid_from_doubles(graze_solid **out, graze_context *context,
     return make_solid(out, context, &a, flags);
 }
 
-int graze_solid_dimension(const graze_solid *solid) {
-    return solid ? solid->input.dimension : 0;
-}
-
-size_t graze_solid_vertex_count(const graze_solid *solid) {
-    return solid ? solid->input.vertex_count : 0;
-}
+FACT(int, graze_solid_dimension, graze_solid, of->input.dimension, 0)
+FACT(size_t, graze_solid_vertex_count, graze_solid, of->input.vertex_count, 0)
 
 size_t graze_solid_facet_count(const graze_solid *solid) {
     if (!solid)
@@ -214,9 +210,7 @@ size_t graze_solid_facet_count(const graze_solid *solid) {
     return solid->input.dimension == 2 ? solid->cut.count : solid->input.facet_count;
 }
 
-size_t graze_solid_component_count(const graze_solid *solid) {
-    return solid ? solid->cut.component_count : 0;
-}
+FACT(size_t, graze_solid_component_count, graze_solid, of->cut.component_count, 0)
 
 size_t graze_solid_primitive_count(const graze_solid *solid) {
     return solid && solid->curved ? solid->curved->primitive_count : 0;
@@ -234,9 +228,7 @@ size_t graze_solid_surface_count(const graze_solid *solid) {
     return solid && solid->curved ? solid->curved->surface_count : 0;
 }
 
-const char *graze_solid_note(const graze_solid *solid) {
-    return solid ? solid->note : "";
-}
+FACT(const char *, graze_solid_note, graze_solid, of->note, "")
 
 graze_status graze_solid_box(mpq_t *low, mpq_t *high, graze_context *context,
                              const graze_solid *solid) {
@@ -246,10 +238,8 @@ graze_status graze_solid_box(mpq_t *low, mpq_t *high, graze_context *context,
     LOCAL_VEC(fmpq, from, d);
     LOCAL_VEC(fmpq, to, d);
     solid_box(from, to, solid);
-    for (int i = 0; i < d; i++) {
-        api_rational_out(low[i], from + i);
-        api_rational_out(high[i], to + i);
-    }
+    api_point_out(low, from, d);
+    api_point_out(high, to, d);
     return GRAZE_OK;
 }
 

@@ -47,29 +47,15 @@ graze_status graze_trace_regular(graze_topology **out, graze_context *context,
     return decide(out, context, "graze_trace_regular", topo_regular, scene, point, trace);
 }
 
-void graze_topology_destroy(graze_topology *topology) {
-    if (topology)
-        finding_clear(&topology->inner);
-    free(topology);
-}
-
-graze_topo graze_topology_position(const graze_topology *topology) {
-    return topology ? topology->inner.position : GRAZE_TOPO_NONE;
-}
-
-graze_topo_level graze_topology_level(const graze_topology *topology) {
-    return topology ? topology->inner.level : GRAZE_LEVEL_NONE;
-}
-
-const char *graze_topology_reason(const graze_topology *topology) {
-    return topology ? topology->inner.reason : "";
-}
+DESTROYER(graze_topology, finding_clear(&of->inner))
+FACT(graze_topo, graze_topology_position, graze_topology, of->inner.position, GRAZE_TOPO_NONE)
+FACT(graze_topo_level, graze_topology_level, graze_topology, of->inner.level, GRAZE_LEVEL_NONE)
+FACT(const char *, graze_topology_reason, graze_topology, of->inner.reason, "")
 
 int graze_topology_witness(mpq_t *out, const graze_topology *topology) {
     if (!out || !topology || !topology->inner.has_witness)
         return 0;
-    for (int k = 0; k < topology->dimension; k++)
-        api_rational_out(out[k], topology->inner.witness + k);
+    api_point_out(out, topology->inner.witness, topology->dimension);
     return 1;
 }
 
@@ -78,7 +64,7 @@ static void integers_out(mpq_t *out, const fmpz *v, int count) {
     fmpq value = {0, 1};
     for (int k = 0; k < count; k++) {
         fmpz_set(&value.num, v + k);
-        api_rational_out(out[k], &value);
+        fmpq_get_mpq(out[k], &value);
     }
     fmpz_clear(&value.num);
 }
@@ -91,7 +77,7 @@ int graze_topology_ray(mpq_t *direction, mpq_t epsilon, const graze_topology *to
     if (!direction || !epsilon || !has_witness_of(topology, WITNESS_RAY))
         return 0;
     integers_out(direction, topology->inner.direction, topology->dimension);
-    api_rational_out(epsilon, &topology->inner.reach);
+    fmpq_get_mpq(epsilon, &topology->inner.reach);
     return 1;
 }
 
@@ -102,9 +88,9 @@ int graze_topology_path(mpq_t *direction, mpq_t *normal, mpq_t z, size_t *order,
         return 0;
     integers_out(direction, topology->inner.open, topology->dimension);
     integers_out(normal, topology->inner.across, topology->dimension);
-    api_rational_out(z, &topology->inner.lift);
+    fmpq_get_mpq(z, &topology->inner.lift);
     *order = (size_t)topology->inner.order;
-    api_rational_out(epsilon, &topology->inner.reach);
+    fmpq_get_mpq(epsilon, &topology->inner.reach);
     return 1;
 }
 
@@ -114,6 +100,6 @@ int graze_topology_square(mpq_t *along, mpq_t rho, const graze_topology *topolog
     for (int k = 0; k < 2; k++)
         integers_out(along + k * topology->dimension, topology->inner.along[k],
                      topology->dimension);
-    api_rational_out(rho, &topology->inner.reach);
+    fmpq_get_mpq(rho, &topology->inner.reach);
     return 1;
 }

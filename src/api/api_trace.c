@@ -21,25 +21,10 @@ graze_status graze_trace_create(graze_trace **out, graze_context *context, const
            classify_point(made, context, scene, (query_point){.rational = p}, TRACE_CONTACTS));
 }
 
-void graze_trace_destroy(graze_trace *trace) {
-    if (!trace)
-        return;
-    trace_clear(trace);
-    free(trace);
-}
-
-const char *graze_trace_word(const graze_trace *trace) {
-    return trace ? trace->word : "";
-}
-
-graze_verdict graze_trace_verdict(const graze_trace *trace) {
-    graze_verdict none = {0};
-    return trace ? trace->verdict : none;
-}
-
-size_t graze_trace_contact_count(const graze_trace *trace) {
-    return trace ? trace->contact_count : 0;
-}
+DESTROYER(graze_trace, trace_clear(of))
+FACT(const char *, graze_trace_word, graze_trace, of->word, "")
+FACT(graze_verdict, graze_trace_verdict, graze_trace, of->verdict, (graze_verdict){0})
+FACT(size_t, graze_trace_contact_count, graze_trace, of->contact_count, 0)
 
 /* A contact in its public form, without its kind. */
 static graze_contact contact_out(const contact *c) {
@@ -75,7 +60,7 @@ graze_contact graze_trace_contact(const graze_trace *trace, size_t index) {
 int graze_time_rational(mpq_t out, const graze_time *time) {
     if (!out || !time || !time_is_rational(time))
         return 0;
-    api_rational_out(out, time->low);
+    fmpq_get_mpq(out, time->low);
     return 1;
 }
 
@@ -104,8 +89,8 @@ void graze_time_interval(mpq_t low, mpq_t high, const graze_time *time) {
     if (!low || !high || !time)
         return;
     (void)time_is_rational(time);
-    api_rational_out(low, time->low);
-    api_rational_out(high, time->high);
+    fmpq_get_mpq(low, time->low);
+    fmpq_get_mpq(high, time->high);
 }
 
 graze_status graze_time_decimal(char **out, graze_context *context, const graze_time *time,
@@ -116,9 +101,7 @@ graze_status graze_time_decimal(char **out, graze_context *context, const graze_
     return *out ? GRAZE_OK : context_fail(context, GRAZE_ESYSTEM, "out of memory");
 }
 
-unsigned long graze_time_row(const graze_time *time) {
-    return time ? time->motion->piece[time_first_piece(time)].row : 0;
-}
+FACT(unsigned long, graze_time_row, graze_time, of->motion->piece[time_first_piece(of)].row, 0)
 
 graze_status graze_number_decimal(char **out, graze_context *context, const mpq_t value,
                                   int digits) {

@@ -23,7 +23,7 @@ CAREFUL = [
     ("questions/certify/row.c", "return too_deep(r);", "break;"),
     ("questions/certify/row.c", "if (letter == 'B' ? prove_slide(r->e, at) : prove_clear(r->e, at)) {",
      "if (depth > DEEPEST || (letter == 'B' ? prove_slide(r->e, at) : prove_clear(r->e, at))) {"),
-    ("api/api_certify.c", "    graze_trace trace;\n", "    graze_trace trace;\n    context->exact_only = 1;\n"),
+    ("api/api_rows.c", "    graze_trace trace;\n", "    graze_trace trace;\n    context->exact_only = 1;\n"),
 ]
 DECISIONS = [
     ("nothing", None, "", ""),

@@ -30,6 +30,20 @@ int vector_is_zero(const fmpq *a, int dimension) {
     return zero;
 }
 
+int vector_widest(fmpq_t size, const fmpq *a, int dimension) {
+    int widest = 0;
+    LOCAL(fmpq, here);
+    fmpq_zero(size);
+    for (int i = 0; i < dimension; i++) {
+        fmpq_abs(here, a + i);
+        if (fmpq_cmp(here, size) <= 0)
+            continue;
+        fmpq_swap(here, size);
+        widest = i;
+    }
+    return widest;
+}
+
 void vector_cross(fmpq *out, const fmpq *a, const fmpq *b) {
     for (int k = 0; k < 3; k++) {
         int i = (k + 1) % 3, j = (k + 2) % 3;

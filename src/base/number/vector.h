@@ -13,6 +13,9 @@ void vector_sub(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
 /** out = (a + b) / 2; `out` may be a or b. */
 void vector_middle(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
 int vector_is_zero(const fmpq *a, int dimension);
+/** Set `size` to the largest absolute value of a coordinate; returns the first place that has it.
+ */
+int vector_widest(fmpq_t size, const fmpq *a, int dimension);
 /** The lexicographic order of two points: negative, 0 or positive if a is before, equal to or
  * behind b. */
 int vector_compare(const fmpq *a, const fmpq *b, int dimension);

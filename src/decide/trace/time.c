@@ -78,9 +78,8 @@ graze_status time_between(size_t *piece, fmpq_t u, graze_context *context, graze
                         "two contacts, one after the other, are not in order of time");
 }
 
-/* With lo = a / b and hi - lo = c / e: u = (e b t - e a) / (b c). The result is p(u) times a
- * positive number, as a polynomial in t. */
-static void to_motion_parameter(fmpz_poly_t out, const fmpz_poly_t p, const motion_piece *piece) {
+/* With lo = a / b and hi - lo = c / e: u = (e b t - e a) / (b c). */
+void time_polynomial(fmpz_poly_t out, const fmpz_poly_t p, const motion_piece *piece) {
     LOCAL(fmpq, width);
     LOCAL(fmpz_poly, linear);
     LOCAL(fmpz, scale);
@@ -103,13 +102,9 @@ static void to_motion_parameter(fmpz_poly_t out, const fmpz_poly_t p, const moti
 
 static void bounds_in_motion_parameter(fmpq_t low, fmpq_t high, const graze_time *time) {
     const motion_piece *piece = &time->motion->piece[time->piece];
-    LOCAL(fmpq, width);
-    fmpq_sub(width, piece->hi, piece->lo);
     algebraic_bounds(low, high, &time->u);
-    fmpq_mul(low, low, width);
-    fmpq_add(low, low, piece->lo);
-    fmpq_mul(high, high, width);
-    fmpq_add(high, high, piece->lo);
+    motion_time_at(low, piece, low);
+    motion_time_at(high, piece, high);
 }
 
 static void set_rational_time(graze_time *time, const fmpq_t value) {
@@ -153,7 +148,7 @@ static graze_status factor_family(time_family *family, graze_context *context,
         return GRAZE_OK;
     TRY(common_factor_work(context, time->u.poly, time->u.poly));
     LOCAL(fmpz_poly, p);
-    to_motion_parameter(p, time->u.poly, &time->motion->piece[time->piece]);
+    time_polynomial(p, time->u.poly, &time->motion->piece[time->piece]);
     fmpz_poly_factor(family->factors, p);
     return GRAZE_OK;
 }

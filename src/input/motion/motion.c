@@ -56,6 +56,20 @@ const point_map *motion_placing(const motion_piece *piece, graze_operation opera
     return operation == GRAZE_UNSWEEP ? &piece->inverse : &piece->forward;
 }
 
+void motion_time_at(fmpq_t t, const motion_piece *piece, const fmpq_t u) {
+    LOCAL(fmpq, width);
+    fmpq_sub(width, piece->hi, piece->lo);
+    fmpq_mul(t, u, width);
+    fmpq_add(t, t, piece->lo);
+}
+
+void motion_parameter_at(fmpq_t u, const motion_piece *piece, const fmpq_t t) {
+    LOCAL(fmpq, width);
+    fmpq_sub(width, piece->hi, piece->lo);
+    fmpq_sub(u, t, piece->lo);
+    fmpq_div(u, u, width);
+}
+
 void point_map_at(fmpq *out, const point_map *map, const fmpq_t u) {
     LOCAL(fmpq, weight);
     fmpz_poly_evaluate_fmpq(weight, map->weight, u);

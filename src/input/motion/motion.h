@@ -53,6 +53,11 @@ const point_map *motion_tracing(const motion_piece *piece, graze_operation opera
  */
 const point_map *motion_placing(const motion_piece *piece, graze_operation operation);
 
+/** Set the motion's parameter t = lo + (hi - lo) u of a piece, or the piece's parameter u at t;
+ * both may be one number. */
+void motion_time_at(fmpq_t t, const motion_piece *piece, const fmpq_t u);
+void motion_parameter_at(fmpq_t u, const motion_piece *piece, const fmpq_t t);
+
 void point_map_init(point_map *map, int dimension);
 void point_map_clear(point_map *map);
 void point_map_set(point_map *out, const point_map *map);

@@ -55,11 +55,8 @@ graze_status shape_moved(shape *out, graze_context *context, const graze_solid *
     while (k + 1 < motion->piece_count && fmpq_cmp(t, motion->piece[k].hi) > 0)
         k++;
     const motion_piece *piece = &motion->piece[k];
-    LOCAL_VEC(fmpq, u, 2);
-    fmpq *width = u + 1;
-    fmpq_sub(u, t, piece->lo);
-    fmpq_sub(width, piece->hi, piece->lo);
-    fmpq_div(u, u, width);
+    LOCAL(fmpq, u);
+    motion_parameter_at(u, piece, t);
     LOCAL_VEC(fmpq, exact, entries);
     double map[12];
     point_map_at(exact, inverse ? &piece->inverse : &piece->forward, u);

@@ -34,13 +34,9 @@ static char *end_digits(mpfr_exp_t *exponent, const fmpq_t end, mpfr_rnd_t direc
 
 /* The isolating interval of a time, converted from the piece's parameter to the motion's. */
 static void bounds_in_t(fmpq_t low, fmpq_t high, const algebraic *u, const motion_piece *piece) {
-    LOCAL(fmpq, length);
-    fmpq_sub(length, piece->hi, piece->lo);
     algebraic_bounds(low, high, u);
-    fmpq_mul(low, low, length);
-    fmpq_add(low, low, piece->lo);
-    fmpq_mul(high, high, length);
-    fmpq_add(high, high, piece->lo);
+    motion_time_at(low, piece, low);
+    motion_time_at(high, piece, high);
 }
 
 /* The digits that both ends round to; NULL if they round differently. */

@@ -17,6 +17,7 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/context/team.h"
+#include "base/number/vector.h"
 #include "questions/boundary/sampling.h"
 
 /* An edge under bisection. */
@@ -196,10 +197,8 @@ void bisect_between(fmpq *outside, fmpq *inside, const struct graze_boundary *b,
     int64_t from[3], step[3];
     if (index >= b->vertices.count) {
         const feature *f = &b->features[index - b->vertices.count];
-        for (int k = 0; k < b->dimension; k++) {
-            fmpq_set(outside + k, f->outside + k);
-            fmpq_set(inside + k, f->inside + k);
-        }
+        vector_set(outside, f->outside, b->dimension);
+        vector_set(inside, f->inside, b->dimension);
         return;
     }
     edge_of(from, step, b, b->vertices.key[index]);
@@ -207,20 +206,11 @@ void bisect_between(fmpq *outside, fmpq *inside, const struct graze_boundary *b,
     point_at(inside, b, from, step, b->shares + 2 * index + 1);
 }
 
-static void feature_vertex(fmpq *out, const feature *f, int dimension) {
-    for (int k = 0; k < dimension; k++) {
-        fmpq_set(out + k, f->inside + k);
-        if (f->pmc == GRAZE_ON)
-            continue;
-        fmpq_add(out + k, out + k, f->outside + k);
-        fmpq_div_2exp(out + k, out + k, 1);
-    }
-}
-
 void bisect_vertex(fmpq *out, const struct graze_boundary *b, size_t index) {
     int64_t from[3], step[3];
     if (index >= b->vertices.count) {
-        feature_vertex(out, &b->features[index - b->vertices.count], b->dimension);
+        const feature *f = &b->features[index - b->vertices.count];
+        vector_middle(out, f->inside, f->pmc == GRAZE_ON ? f->inside : f->outside, b->dimension);
         return;
     }
     LOCAL(fmpq, share);

@@ -3,6 +3,7 @@
  */
 #include "questions/boundary/boundary.h"
 
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
@@ -39,8 +40,7 @@ static graze_status set_askers(struct graze_boundary *b, graze_context *context,
     b->threads = threads;
     for (int t = 0; t < threads; t++) {
         b->askers[t].boundary = b;
-        for (int k = 0; k < 3; k++)
-            fmpq_init(b->askers[t].point + k);
+        b->askers[t].point = _fmpq_vec_init(3);
     }
     return GRAZE_OK;
 }
@@ -69,11 +69,9 @@ graze_status boundary_make(struct graze_boundary *b, graze_context *context,
     b->middles = options->middles;
     b->sharp = options->sharp;
     b->complete = 1;
-    for (int k = 0; k < 3; k++) {
-        fmpq_init(b->low + k);
-        fmpq_init(b->side + k);
-        fmpq_init(b->point + k);
-    }
+    b->low = _fmpq_vec_init(9);
+    b->side = b->low + 3;
+    b->point = b->low + 6;
     TRY(set_box(b, context, low, high));
     TRY(set_askers(b, context, options->threads > 1 ? options->threads : 1));
     if (options->contacts >= options->budget)
@@ -90,14 +88,9 @@ graze_status boundary_make(struct graze_boundary *b, graze_context *context,
 }
 
 void boundary_clear(struct graze_boundary *b) {
-    for (int k = 0; k < 3; k++) {
-        fmpq_clear(b->low + k);
-        fmpq_clear(b->side + k);
-        fmpq_clear(b->point + k);
-    }
+    _fmpq_vec_clear(b->low, 9);
     for (int t = 0; t < b->threads; t++)
-        for (int k = 0; k < 3; k++)
-            fmpq_clear(b->askers[t].point + k);
+        _fmpq_vec_clear(b->askers[t].point, 3);
     free(b->askers);
     for (size_t k = 0; k < 2 * b->vertices.count && b->shares; k++)
         fmpq_clear(b->shares + k);

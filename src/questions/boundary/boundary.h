@@ -42,8 +42,8 @@ typedef struct cell_faces {
  * is out, and `inside`. Both points are d rationals, at most 2^-21 of the cell apart along each
  * axis. */
 typedef struct feature {
-    fmpq outside[3], inside[3];
-    graze_pmc pmc; /* of `inside`: in or on */
+    fmpq *outside, *inside; /* one array of 6 */
+    graze_pmc pmc;          /* of `inside`: in or on */
 } feature;
 
 struct graze_boundary {
@@ -53,12 +53,11 @@ struct graze_boundary {
     int middles; /* vertices stay in the middles of their edges: no bisection */
     int sharp;   /* features are looked for (sampling.h) */
     unsigned long budget;
-    fmpq low[3], side[3];
-    fmpq point[3];          /* the lattice point at hand */
-    int threads;            /* number of threads that classify points off the lattice */
-    struct asker *askers;   /* one for each thread */
-    number_index points;    /* lattice points and their pmc */
-    unsigned long known[4]; /* number of lattice points by pmc */
+    fmpq *low, *side, *point; /* one array of 9; `point`: the lattice point at hand */
+    int threads;              /* number of threads that classify points off the lattice */
+    struct asker *askers;     /* one for each thread */
+    number_index points;      /* lattice points and their pmc */
+    unsigned long known[4];   /* number of lattice points by pmc */
     sample_cell *cells;
     size_t cell_count, cell_capacity, leaf_count;
     size_t *leaves;
@@ -90,7 +89,7 @@ struct graze_boundary {
 typedef struct asker {
     const struct graze_boundary *boundary;
     graze_context *context; /* context of the running call */
-    fmpq point[3];
+    fmpq *point;
     unsigned long asked;
 } asker;
 /** Set the coordinates of a lattice point. */

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
@@ -21,18 +22,16 @@ static uint64_t place_of(const uint32_t at[3], int dimension, unsigned bits) {
     return out;
 }
 
+static int compare_places(const void *a, const void *b) {
+    const uint64_t *x = a, *y = b;
+    return *x < *y ? -1 : *x > *y;
+}
+
 int sample_cell_has_contact(const struct graze_boundary *b, const sample_cell *c) {
     unsigned below = (b->depth - c->level) * (unsigned)b->dimension;
     uint64_t first = place_of(c->at, b->dimension, c->level) << below;
-    size_t low = 0, high = b->contact_count;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (b->contacts[middle] < first)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < b->contact_count && b->contacts[low] - first < (uint64_t)1 << below;
+    size_t at = array_first(&first, b->contacts, b->contact_count, sizeof first, compare_places);
+    return at < b->contact_count && b->contacts[at] - first < (uint64_t)1 << below;
 }
 
 /* Find the smallest cell that holds a point; returns 0 if the point is outside the box. */
@@ -50,11 +49,6 @@ static int cell_of(uint32_t at[3], const struct graze_boundary *b, const fmpq *p
         at[k] = inside ? (uint32_t)fmpz_get_ui(whole) : 0;
     }
     return inside;
-}
-
-static int compare_contacts(const void *a, const void *b) {
-    const uint64_t *x = a, *y = b;
-    return *x < *y ? -1 : *x > *y;
 }
 
 static graze_status ask(graze_context *context, struct graze_boundary *b, const fmpq *point) {
@@ -79,7 +73,7 @@ static graze_status ask_rows(graze_context *context, struct graze_boundary *b,
         TRY(ask(context, b, s.point));
     }
     if (b->contact_count)
-        qsort(b->contacts, b->contact_count, sizeof *b->contacts, compare_contacts);
+        qsort(b->contacts, b->contact_count, sizeof *b->contacts, compare_places);
     return GRAZE_OK;
 }
 

@@ -61,8 +61,7 @@ static void select_third(selection *s, const tangent *const *list, size_t count)
 /* Set a row of the linear system: normal . x = value. */
 static void put_row(fmpq_mat_t a, fmpq_mat_t right, int row, const fmpq *normal,
                     const fmpq_t value) {
-    for (slong k = 0; k < fmpq_mat_ncols(a); k++)
-        fmpq_set(fmpq_mat_entry(a, row, k), normal + k);
+    vector_set(fmpq_mat_entry(a, row, 0), normal, (int)fmpq_mat_ncols(a));
     fmpq_set(fmpq_mat_entry(right, row, 0), value);
 }
 
@@ -84,8 +83,8 @@ static int meet_planes(fmpq *out, const selection *s, int d, const fmpq *referen
         put_row(a, right, 2, along, value);
     }
     int solved = fmpq_mat_solve(x, a, right);
-    for (int k = 0; k < d && solved; k++)
-        fmpq_set(out + k, fmpq_mat_entry(x, k, 0));
+    if (solved)
+        vector_set(out, fmpq_mat_entry(x, 0, 0), d);
     return solved;
 }
 
@@ -93,15 +92,13 @@ static int meet_planes(fmpq *out, const selection *s, int d, const fmpq *referen
  * which it is longest, measured in cells. */
 static void outward(fmpq *way, const struct graze_boundary *b, const double *direction) {
     enum { UNIT = 1024 };
-    LOCAL_VEC(fmpq, share, 2);
-    fmpq *most = share + 1;
+    LOCAL_VEC(fmpq, share, 4);
+    fmpq *most = share + 3;
     for (int k = 0; k < b->dimension; k++) {
         fmpq_set_si(way + k, lround(direction[k] * UNIT), UNIT);
-        fmpq_div(share, way + k, b->side + k);
-        fmpq_abs(share, share);
-        if (fmpq_cmp(share, most) > 0)
-            fmpq_set(most, share);
+        fmpq_div(share + k, way + k, b->side + k);
     }
+    (void)vector_widest(most, share, b->dimension);
     fmpq_mul_2exp(most, most, b->reached);
     for (int k = 0; k < b->dimension && !fmpq_is_zero(most); k++)
         fmpq_div(way + k, way + k, most);
@@ -197,15 +194,10 @@ graze_status feature_find(feature *out, int *found, asker *a, const sample_cell 
 }
 
 void feature_init(feature *f) {
-    for (int k = 0; k < 3; k++) {
-        fmpq_init(f->inside + k);
-        fmpq_init(f->outside + k);
-    }
+    f->outside = _fmpq_vec_init(6);
+    f->inside = f->outside + 3;
 }
 
 void feature_clear(feature *f) {
-    for (int k = 0; k < 3; k++) {
-        fmpq_clear(f->inside + k);
-        fmpq_clear(f->outside + k);
-    }
+    _fmpq_vec_clear(f->outside, 6);
 }

@@ -68,18 +68,10 @@ graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, asker *a, const
 
 /* The axis along which `way` is longest, measured in cells. */
 static int main_axis(const struct graze_boundary *b, const fmpq *way) {
-    int best = 0;
-    LOCAL_VEC(fmpq, share, 2);
-    fmpq *most = share + 1;
-    for (int k = 0; k < b->dimension; k++) {
-        fmpq_div(share, way + k, b->side + k);
-        fmpq_abs(share, share);
-        if (fmpq_cmp(share, most) > 0) {
-            fmpq_set(most, share);
-            best = k;
-        }
-    }
-    return best;
+    LOCAL_VEC(fmpq, share, 4);
+    for (int k = 0; k < b->dimension; k++)
+        fmpq_div(share + k, way + k, b->side + k);
+    return vector_widest(share + 3, share, b->dimension);
 }
 
 /* Set `way` to 2^-bits of a cell along an axis, upward or downward. */

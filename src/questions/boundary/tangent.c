@@ -80,12 +80,8 @@ static void body_normal(fmpq *out, const graze_scene *scene, const graze_cell *c
 
 /* Find the parameter u of a time in its piece, exactly if the time is rational. */
 static graze_status parameter_of(fmpq_t u, graze_context *context, const graze_time *time) {
-    const motion_piece *piece = &time->motion->piece[time->piece];
-    LOCAL(fmpq, length);
     TRY(distance_contact_time(u, context, time));
-    fmpq_sub(length, piece->hi, piece->lo);
-    fmpq_sub(u, u, piece->lo);
-    fmpq_div(u, u, length);
+    motion_parameter_at(u, &time->motion->piece[time->piece], u);
     return GRAZE_OK;
 }
 
@@ -123,11 +119,7 @@ static void finish(tangent *t, int d, const fmpq *through, const fmpq *outside,
         fmpq_neg(t->form + k, t->form + k);
     _fmpq_vec_dot(t->form + d, t->form, through, d);
     fmpq_neg(t->form + d, t->form + d);
-    for (int k = 0; k < d; k++) {
-        fmpq_abs(value, t->form + k);
-        if (fmpq_cmp(value, most) > 0)
-            fmpq_set(most, value);
-    }
+    (void)vector_widest(most, t->form, d);
     for (int k = 0; k < d && side; k++) {
         fmpq_div(value, t->form + k, most);
         t->unit[k] = fmpq_get_d(value);

@@ -4,7 +4,6 @@
  */
 #include "questions/certify/certify.h"
 
-#include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/bernstein.h"
@@ -115,14 +114,8 @@ static void find_det(fmpz_poly_t out, const point_map *m) {
 static void put_signs(text *out, const motion_piece *piece, const fmpz_poly_t det,
                       const dyadic_interval *at) {
     if (prove_one_sign(piece->forward.weight, at) && prove_one_sign(det, at)) {
-        LOCAL_VEC(fmpq, t, 2);
-        fmpq *width = t + 1;
-        dyadic_value(t, at->high, at->exponent);
-        fmpq_sub(width, piece->hi, piece->lo);
-        fmpq_mul(t, t, width);
-        fmpq_add(t, t, piece->lo);
         text_put(out, " ");
-        text_rational(out, t);
+        line_number(out, piece, at->high, at->exponent);
         return;
     }
     HELD(dyadic_interval, left);

@@ -82,6 +82,9 @@ int prove_isolated(const fmpz_poly_t q, const dyadic_interval *at);
 /* The lines of a certificate's row: intervals and, if the certificate has them, contacts
  * (proofs/certificate.md, section 1). */
 
+/** Write the time t of the parameter u = numerator / 2^exponent of a piece. */
+void line_number(text *out, const motion_piece *piece, const fmpz_t numerator, ulong exponent);
+
 /** A row being written. */
 typedef struct row_lines {
     text *out;

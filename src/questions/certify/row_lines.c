@@ -1,7 +1,6 @@
 /* Writes the intervals and contacts of a row.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_poly.h>
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
@@ -25,34 +24,11 @@ void row_lines_clear(row_lines *l) {
     text_clear(&l->opened);
 }
 
-/* Write the time t of the parameter u = numerator / 2^exponent of a piece. */
-static void line_number(text *out, const motion_piece *piece, const fmpz_t numerator,
-                        ulong exponent) {
-    LOCAL_VEC(fmpq, t, 2);
-    fmpq *width = t + 1;
+void line_number(text *out, const motion_piece *piece, const fmpz_t numerator, ulong exponent) {
+    LOCAL(fmpq, t);
     dyadic_value(t, numerator, exponent);
-    fmpq_sub(width, piece->hi, piece->lo);
-    fmpq_mul(t, t, width);
-    fmpq_add(t, t, piece->lo);
+    motion_time_at(t, piece, t);
     text_rational(out, t);
-}
-
-/* Set `out` to q as a primitive polynomial in t, by u = (t - lo) / (hi - lo). */
-static void to_parameter(fmpz_poly_t out, const motion_piece *piece, const fmpz_poly_struct *q) {
-    LOCAL_VEC(fmpq, width, 2);
-    fmpq *shift = width + 1;
-    LOCAL(fmpq_poly, f);
-    LOCAL(fmpq_poly, u);
-    fmpq_sub(width, piece->hi, piece->lo);
-    fmpq_div(shift, piece->lo, width);
-    fmpq_neg(shift, shift);
-    fmpq_inv(width, width);
-    fmpq_poly_set_coeff_fmpq(u, 0, shift);
-    fmpq_poly_set_coeff_fmpq(u, 1, width);
-    fmpq_poly_set_fmpz_poly(f, q);
-    fmpq_poly_compose(f, f, u);
-    fmpq_poly_get_numerator(out, f);
-    fmpz_poly_primitive_part(out, out);
 }
 
 static void line_poly(text *out, const fmpz_poly_t q) {
@@ -122,7 +98,8 @@ void row_lines_put(row_lines *l, const char *kind, const fmpz_t high, ulong expo
     l->out->failed |= end.failed;
     text_format(l->out, "%s %s", kind, end.failed ? "" : end.data);
     if (q) {
-        to_parameter(p, l->piece, q);
+        time_polynomial(p, q, l->piece);
+        fmpz_poly_primitive_part(p, p);
         line_poly(l->out, p);
     }
     text_put(l->out, "\n");

@@ -12,18 +12,10 @@
 #include "input/motion/motion.h"
 #include "questions/contact/nearby.h"
 
-/* The parameter u of a piece at the time t. */
-static void parameter_at(fmpq_t out, const motion_piece *piece, const fmpq_t t) {
-    LOCAL(fmpq, width);
-    fmpq_sub(width, piece->hi, piece->lo);
-    fmpq_sub(out, t, piece->lo);
-    fmpq_div(out, out, width);
-}
-
 static void set_side(site_side *side, const graze_motion *motion, size_t piece, const fmpq_t t) {
     side->present = 1;
     side->piece = piece;
-    parameter_at(side->u, &motion->piece[piece], t);
+    motion_parameter_at(side->u, &motion->piece[piece], t);
 }
 
 /* first(u) second_weight(shift(u)) = second(shift(u)) first_weight(u) */
@@ -50,8 +42,8 @@ static int is_one_function(const motion_piece *first, const motion_piece *second
     LOCAL_VEC(fmpq, at_zero, 2);
     fmpq *at_one = at_zero + 1;
     LOCAL(fmpq_poly, shift);
-    parameter_at(at_zero, second, first->lo);
-    parameter_at(at_one, second, first->hi);
+    motion_parameter_at(at_zero, second, first->lo);
+    motion_parameter_at(at_one, second, first->hi);
     fmpq_poly_set_coeff_fmpq(shift, 0, at_zero);
     fmpq_sub(at_one, at_one, at_zero);
     fmpq_poly_set_coeff_fmpq(shift, 1, at_one);

@@ -178,18 +178,10 @@ int distance_is_certain(const distance *found, double motion_error) {
     return found->low > motion_error || found->high < -motion_error;
 }
 
-/* Change a parameter of a piece to the motion's. */
-static void to_motion(fmpq_t time, const motion_piece *piece) {
-    LOCAL(fmpq, length);
-    fmpq_sub(length, piece->hi, piece->lo);
-    fmpq_mul(time, time, length);
-    fmpq_add(time, time, piece->lo);
-}
-
 graze_status distance_contact_time(fmpq_t out, graze_context *context, const graze_time *time) {
     LOCAL(fmpq, high);
     TRY(narrow_time(out, high, context, time, PLACES));
-    to_motion(out, &time->motion->piece[time->piece]);
+    motion_time_at(out, &time->motion->piece[time->piece], out);
     return GRAZE_OK;
 }
 
@@ -201,7 +193,7 @@ void distance_time(fmpq_t out, const distance *found, const graze_motion *motion
     (void)rational_from_double(length, NULL, found->length);
     (void)rational_from_double(v, NULL, found->v);
     fmpq_addmul(out, length, v);
-    to_motion(out, &motion->piece[found->piece]);
+    motion_time_at(out, &motion->piece[found->piece], out);
 }
 
 graze_status distance_time_near(double *out, graze_context *context, const distance *found,

@@ -79,9 +79,6 @@ graze_status moments_between(fmpq_t out, graze_context *context, const moment_li
     if (last->piece == first->piece)
         algebraic_set(&high, &last->u);
     TRY(algebraic_between(out, context, &low, &high));
-    LOCAL(fmpq, width);
-    fmpq_sub(width, piece->hi, piece->lo);
-    fmpq_mul(out, out, width);
-    fmpq_add(out, out, piece->lo);
+    motion_time_at(out, piece, out);
     return GRAZE_OK;
 }

@@ -86,14 +86,11 @@ graze_status sample_make(graze_site *out, int *found, graze_context *context,
     random_seed(&r, seed, index);
     time_gap gap = find_time_gap(e, index);
     const motion_piece *piece = &e->scene->motion->piece[gap.piece];
-    LOCAL_VEC(fmpq, t, 2);
-    fmpq *width = t + 1;
+    LOCAL(fmpq, t);
     LOCAL_VEC(fmpq, y, d);
     *found = 0;
     TRY(pick_parameter(t, context, e, &gap, &r));
-    fmpq_sub(width, piece->hi, piece->lo);
-    fmpq_mul(t, t, width);
-    fmpq_add(t, t, piece->lo);
+    motion_time_at(t, piece, t);
     TRY(contact_curve_find(&curve, context, e, t));
     graze_status status = GRAZE_OK;
     if (curve.count) {

@@ -15,10 +15,7 @@ static int parameter_within(fmpq_t u, const graze_envelope *e, size_t piece, con
     if (fmpq_cmp(t, p->lo) < 0 || fmpq_cmp(t, p->hi) >= 0 ||
         (fmpq_equal(t, p->lo) && (piece == 0 || e->is_break[piece])))
         return 0;
-    LOCAL(fmpq, width);
-    fmpq_sub(u, t, p->lo);
-    fmpq_sub(width, p->hi, p->lo);
-    fmpq_div(u, u, width);
+    motion_parameter_at(u, p, t);
     return 1;
 }
 

@@ -189,19 +189,11 @@ static void measure_cell(touchpoint *p) {
 }
 
 static int kind_fits(graze_stratum stratum, int kind, int d) {
-    switch (stratum) {
-    case GRAZE_STRATUM_FACE:
-    case GRAZE_STRATUM_FACE_ODD:
-    case GRAZE_STRATUM_CROSSING:
-    case GRAZE_STRATUM_SLIDE:
-        return kind == d - 1;
-    case GRAZE_STRATUM_EDGE:
-        return kind == 1;
-    case GRAZE_STRATUM_VERTEX:
-        return kind == 0;
-    default:
+    if (stratum >= GRAZE_STRATUM_START && stratum <= GRAZE_STRATUM_BREAK)
         return kind >= 0;
-    }
+    return kind == (stratum == GRAZE_STRATUM_EDGE     ? 1
+                    : stratum == GRAZE_STRATUM_VERTEX ? 0
+                                                      : d - 1);
 }
 
 /* Choose one of the surfaces and turn its tangent plane outwards. The outer side is found for the

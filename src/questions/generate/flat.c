@@ -6,6 +6,7 @@
 #include <flint/fmpq.h>
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "questions/generate/charts.h"
 
 void flat_init(flat *f, int dimension) {
@@ -23,10 +24,9 @@ void flat_set(flat *to, const flat *from) {
     to->count = from->count;
     for (int i = 0; i < 3; i++) {
         to->axis[i] = from->axis[i];
-        fmpq_set(to->origin + i, from->origin + i);
-        for (int j = 0; j < 3; j++)
-            fmpq_set(to->direction[j] + i, from->direction[j] + i);
+        vector_set(to->direction[i], from->direction[i], 3);
     }
+    vector_set(to->origin, from->origin, 3);
 }
 
 void flat_clear(flat *f) {
@@ -50,20 +50,6 @@ static void linear_coefficient(fmpq_t out, const fmpq_mpoly_t linear, int j,
     fmpq_mpoly_get_coeff_fmpq_ui(out, linear, power, ring);
 }
 
-/* The parameter whose coefficient has the largest absolute value. */
-static int find_pivot(const fmpq *h, int count) {
-    int pivot = 0;
-    LOCAL_VEC(fmpq, size, 2);
-    for (int j = 0; j < count; j++) {
-        fmpq_abs(size + 1, h + j);
-        if (fmpq_cmp(size + 1, size) <= 0)
-            continue;
-        fmpq_swap(size, size + 1);
-        pivot = j;
-    }
-    return pivot;
-}
-
 void flat_coordinates(fmpq_mpoly_struct *const *out, const flat *f, const fmpq_mpoly_ctx_t ring) {
     IN_RING(fmpq_mpoly, term, ring);
     for (int i = 0; i < f->dimension; i++) {
@@ -78,12 +64,12 @@ void flat_coordinates(fmpq_mpoly_struct *const *out, const flat *f, const fmpq_m
 
 /* The equation gives s_pivot = -(constant + sum h_j s_j) / h_pivot; the other parameters remain. */
 void flat_cut(flat *f, const fmpq_mpoly_t linear, const fmpq_mpoly_ctx_t ring) {
-    LOCAL_VEC(fmpq, h, 4);
-    fmpq *constant = h + 3;
+    LOCAL_VEC(fmpq, h, 5);
+    fmpq *constant = h + 3, *size = h + 4;
     for (int j = 0; j < f->count; j++)
         linear_coefficient(h + j, linear, j, ring);
     linear_coefficient(constant, linear, -1, ring);
-    int pivot = find_pivot(h, f->count), to = 0;
+    int pivot = vector_widest(size, h, f->count), to = 0;
     fmpq_div(constant, constant, h + pivot);
     for (int i = 0; i < 3; i++)
         fmpq_submul(f->origin + i, constant, f->direction[pivot] + i);

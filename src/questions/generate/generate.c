@@ -3,6 +3,7 @@
  */
 #include "questions/generate/generate.h"
 
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
@@ -139,10 +140,8 @@ graze_status generator_make(struct graze_generator *out, graze_context *context,
     out->seed = seed;
     out->representable = representable;
     memcpy(out->weight, weights, sizeof out->weight);
-    for (int i = 0; i < 3; i++) {
-        fmpq_init(out->low + i);
-        fmpq_init(out->high + i);
-    }
+    out->low = _fmpq_vec_init(6);
+    out->high = out->low + 3;
     TRY(scene_box(out->low, out->high, context, scene));
     TRY(list_joints(out, context));
     TRY(make_instants(out, context));
@@ -152,10 +151,7 @@ graze_status generator_make(struct graze_generator *out, graze_context *context,
 }
 
 void generator_clear(struct graze_generator *g) {
-    for (int i = 0; i < 3; i++) {
-        fmpq_clear(g->low + i);
-        fmpq_clear(g->high + i);
-    }
+    _fmpq_vec_clear(g->low, 6);
     specials_clear(&g->special);
     for (size_t k = 0; k < g->instant_count; k++)
         instant_clear(&g->instants[k]);

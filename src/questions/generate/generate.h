@@ -101,7 +101,7 @@ struct graze_generator {
     int representable;                         /* make only points whose coordinates are doubles */
     unsigned long weight[GRAZE_STRATUM_COUNT]; /* 0 where the scene has no such point */
     unsigned long total;
-    fmpq low[3], high[3]; /* the box of the random stratum */
+    fmpq *low, *high;     /* the box of the random stratum, one array of 6 */
     size_t instant_count; /* number of times from which most strata draw */
     instant *instants;
     size_t joint_count; /* number of times at which pieces begin or end: t0, the break points, t1 */
@@ -115,8 +115,7 @@ struct graze_generator {
 /** One point and the way in which it was made. */
 typedef struct sample {
     graze_sample made;
-    fmpq point[3];
-    fmpq_t time;
+    fmpq *point, *time; /* one array of 4 */
     unsigned undecided; /* number of points that were tried but have no answer */
 } sample;
 

@@ -3,6 +3,7 @@
  */
 #include "questions/generate/generate.h"
 
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz_poly.h>
 #include <string.h>
 #include "base/context/scope.h"
@@ -30,16 +31,13 @@ unsigned long stratum_weight(graze_stratum stratum) {
 
 void sample_init(sample *s) {
     memset(&s->made, 0, sizeof s->made);
-    for (int i = 0; i < 3; i++)
-        fmpq_init(s->point + i);
-    fmpq_init(s->time);
+    s->point = _fmpq_vec_init(4);
+    s->time = s->point + 3;
     s->undecided = 0;
 }
 
 void sample_clear(sample *s) {
-    for (int i = 0; i < 3; i++)
-        fmpq_clear(s->point + i);
-    fmpq_clear(s->time);
+    _fmpq_vec_clear(s->point, 4);
 }
 
 const instant *stratum_instant(const struct graze_generator *g, graze_stratum stratum,

@@ -92,9 +92,7 @@ void instant_init(instant *i, const graze_scene *scene, size_t piece, const fmpq
     fmpq_init(i->u);
     fmpq_init(i->t);
     fmpq_set(i->u, u);
-    fmpq_sub(i->t, p->hi, p->lo);
-    fmpq_mul(i->t, i->t, u);
-    fmpq_add(i->t, i->t, p->lo);
+    motion_time_at(i->t, p, u);
     i->map = _fmpq_vec_init(d * (d + 1));
     point_map_at(i->map, motion_placing(p, scene->options.operation), u);
     i->inverse = _fmpz_vec_init((d + 1) * (d + 1));

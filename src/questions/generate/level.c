@@ -8,6 +8,7 @@
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
+#include "base/number/vector.h"
 #include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
@@ -25,12 +26,8 @@ enum { DECADES_DOWN = 9, LEVEL_TRIES = 150 };
 
 /* 10^decade */
 static void power_of_ten(fmpq_t out, int decade) {
-    LOCAL(fmpz, ten);
-    fmpz_set_ui(ten, 10);
-    fmpz_pow_ui(ten, ten, (ulong)(decade < 0 ? -decade : decade));
-    fmpq_set_fmpz(out, ten);
-    if (decade < 0)
-        fmpq_inv(out, out);
+    fmpq_set_si(out, 10, 1);
+    fmpq_pow_si(out, out, decade);
 }
 
 /* Draw a length in the decade; small ones are drawn more often. */
@@ -73,11 +70,7 @@ static graze_status move_along(fmpq *point, graze_context *context, const fmpq *
     double n[3] = {0, 0, 0}, size = 0;
     LOCAL_VEC(fmpq, most, 2);
     fmpq *part = most + 1;
-    for (int i = 0; i < d; i++) {
-        fmpq_abs(part, normal + i);
-        if (fmpq_cmp(part, most) > 0)
-            fmpq_set(most, part);
-    }
+    (void)vector_widest(most, normal, d);
     for (int i = 0; i < d; i++) {
         fmpq_div(part, normal + i, most);
         TRY(rational_nearest(&n[i], context, part));

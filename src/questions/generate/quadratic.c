@@ -24,8 +24,7 @@ void quadratic_init(quadratic *q) {
 
 void quadratic_set(quadratic *to, const quadratic *from) {
     to->count = from->count;
-    for (int k = 0; k < NUMBERS; k++)
-        fmpq_set(to->start + k, from->start + k);
+    vector_set(to->start, from->start, NUMBERS);
 }
 
 void quadratic_clear(quadratic *q) {

@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "questions/generate/charts.h"
 #include "questions/generate/strata.h"
 
@@ -23,16 +24,10 @@ enum {
  * only doubles are made, along the axis of that coordinate alone. */
 static void displace(sample *s, const struct graze_generator *g, const fmpq *normal, int outward,
                      int k) {
-    int d = g->scene->motion->dimension, widest = 0;
+    int d = g->scene->motion->dimension;
     LOCAL_VEC(fmpq, length, 2);
     fmpq *size = length + 1;
-    for (int i = 0; i < d; i++) {
-        fmpq_abs(size, normal + i);
-        if (fmpq_cmp(size, length) > 0) {
-            fmpq_set(length, size);
-            widest = i;
-        }
-    }
+    int widest = vector_widest(length, normal, d);
     for (int i = 0; i < d; i++) {
         if (g->representable && i != widest)
             continue;
