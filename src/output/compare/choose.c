@@ -17,11 +17,6 @@
 /* Ids of more characters are compared as texts, also if they look like numbers. */
 enum { LONGEST_NUMBER = 40 };
 
-void key_of_axes(row_key *out, const table *golden, const table *candidate) {
-    size_t count = candidate->dimension >= golden->dimension ? (size_t)golden->dimension : 0;
-    *out = (row_key){0, count, {COLUMN_X, COLUMN_Y, COLUMN_Z}};
-}
-
 /* Choose as key the coordinates that both tables have. */
 static graze_status key_of_points(row_key *out, const table *golden, const table *candidate) {
     key_of_axes(out, golden, candidate);

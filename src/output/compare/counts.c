@@ -68,10 +68,6 @@ graze_status depth_take(ceiling *out, depths *d, const table *golden, const tabl
     return count_depth(out, d, context, pmc, low, low + 1);
 }
 
-graze_status comparison_no_memory(graze_context *context) {
-    return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-}
-
 int comparison_begin(graze_comparison *c, const graze_context *context, const char *golden,
                      const char *candidate, const graze_compare_options *options) {
     if (options)

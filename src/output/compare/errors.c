@@ -126,6 +126,10 @@ void errors_clear(errors *e) {
     memset(e, 0, sizeof *e);
 }
 
+graze_status comparison_no_memory(graze_context *context) {
+    return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+}
+
 static group *find(tally *t, field name) {
     for (size_t k = 0; k < t->count; k++)
         if (field_is(name, t->groups[k].name))

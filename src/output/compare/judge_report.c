@@ -39,7 +39,7 @@ static bounds enclosed_volume(const graze_judgement *j, int which) {
     return bounds_of_rationals(j->searched.volume + 2 * which, j->searched.volume + 2 * which + 1);
 }
 
-static void put_bounds(text *t, bounds b) {
+static void put_enclosed(text *t, bounds b) {
     char low[BOUND_ROOM], high[BOUND_ROOM];
     report_bound(low, b.low, 0);
     report_bound(high, b.high, 1);
@@ -103,7 +103,7 @@ static void put_greatest(text *t, const graze_judgement *j, graze_judged which) 
         text_put(t, "infinite: the mesh is empty");
         return;
     }
-    put_bounds(t, (bounds){s->low, s->high});
+    put_enclosed(t, (bounds){s->low, s->high});
     if (s->low > 0) {
         text_put(t, " at ");
         put_spot(t, s->at);
@@ -120,7 +120,7 @@ static void put_greatest(text *t, const graze_judgement *j, graze_judged which) 
 
 static void put_volume(text *t, const char *bullet, const char *title, bounds b) {
     text_format(t, "%s%s: ", bullet, title);
-    put_bounds(t, b);
+    put_enclosed(t, b);
     text_put(t, "\n");
 }
 

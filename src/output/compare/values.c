@@ -144,6 +144,11 @@ graze_status valuation_read(valuation *out, const graze_comparison *c, const tab
 
 enum { BOX_BITS = 10, SIZE_BITS = 20 };
 
+void key_of_axes(row_key *out, const table *golden, const table *candidate) {
+    size_t count = candidate->dimension >= golden->dimension ? (size_t)golden->dimension : 0;
+    *out = (row_key){0, count, {COLUMN_X, COLUMN_Y, COLUMN_Z}};
+}
+
 void drift_init(drift *d, const table *golden, const table *candidate) {
     *d = (drift){.golden = golden, .candidate = candidate};
     key_of_axes(&d->axes, golden, candidate);

@@ -186,8 +186,9 @@ known_column columns_known(size_t k) {
 
 size_t columns_place(const char *option) {
     size_t k = 0;
-    while (strcmp(columns_known(k).set->option, option) != 0)
-        k++;
+    for (const column_set *set = column_sets; strcmp(set->option, option) != 0; set++)
+        for (const column_label *l = set->names; l->name; l++)
+            k++;
     return k;
 }
 

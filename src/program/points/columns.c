@@ -130,7 +130,8 @@ static size_t put_others(text *out, const columns *c, const fields *line, int nu
     for (size_t k = 0; k < line->count; k++) {
         if (!is_further(c, k))
             continue;
-        text_put(out, count++ ? "," : "");
+        if (count++)
+            text_bytes(out, ",", 1);
         if (numbered)
             text_format(out, "column%zu", k + 1);
         else

@@ -72,7 +72,7 @@ static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t fi
     if (from->grid)
         graze_grid_points(a->points, from->grid->points, shard_place(from->part, b->before + first),
                           from->part.count, r->taken);
-    text_clear(&a->reader.rest);
+    a->reader.rest.length = 0;
     for (; n < r->taken; n++) {
         point_at[n] = a->written.length;
         rest_at[n] = a->reader.rest.length;
