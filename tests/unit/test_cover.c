@@ -73,7 +73,7 @@ static void ways(void **state) {
     (void)state;
     plane_list planes;
     graze_solid *solid = cube();
-    assert_int_equal(planes_find(&planes, solid, NULL, solid->cut.count), 0);
+    assert_int_equal(planes_find(&planes, NULL, solid, NULL, solid->cut.count), 0);
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
         check_row(solid, &planes, &rows[k], k);
     for (size_t k = 0; k < sizeof along_cell / sizeof *along_cell; k++)

@@ -227,7 +227,7 @@ static void planes_in_common(void **state) {
         size_t n = solid->cut.count;
         plane_list planes;
         assert_int_equal(n, 6 * 16 * 2);
-        assert_int_equal(planes_find(&planes, solid, NULL, n), 0);
+        assert_int_equal(planes_find(&planes, NULL, solid, NULL, n), 0);
         assert_int_equal(planes.count, 6);
         fmpz *form = _fmpz_vec_init(4);
         for (size_t p = 0; p < planes.count; p++) {
@@ -241,7 +241,7 @@ static void planes_in_common(void **state) {
         }
         planes_clear(&planes);
         uint32_t some[] = {7, 7, 0, 191, 7};
-        assert_int_equal(planes_find(&planes, solid, some, 5), 0);
+        assert_int_equal(planes_find(&planes, NULL, solid, some, 5), 0);
         assert_int_equal(planes.count, solid->cut.item[7].facet / (squares ? 16 : 32) ? 3 : 2);
         assert_int_equal(planes.start[planes.count], 5);
         planes_clear(&planes);

@@ -279,7 +279,7 @@ static void touch_planes(finder *f, const candidates *list, uint32_t *simplex, c
     plane_list planes;
     for (size_t k = 0; k < list->count; k++)
         simplex[k] = list->item[k].simplex;
-    if (planes_find_known(&planes, known_to(f), f->solid, simplex, list->count)) {
+    if (planes_find(&planes, known_to(f), f->solid, simplex, list->count)) {
         run_out_of_memory(f);
         return;
     }

@@ -3,10 +3,12 @@
  */
 #include "input/csg/csg.h"
 
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "input/csg/csg_reader.h"
 
 void csg_box_init(csg_box *box) {
@@ -19,10 +21,8 @@ void csg_box_init(csg_box *box) {
 
 void csg_box_set(csg_box *to, const csg_box *from) {
     to->dimension = from->dimension;
-    for (int i = 0; i < 3; i++) {
-        fmpq_set(&to->low[i], &from->low[i]);
-        fmpq_set(&to->high[i], &from->high[i]);
-    }
+    vector_set(to->low, from->low, 3);
+    vector_set(to->high, from->high, 3);
 }
 
 void csg_box_clear(csg_box *box) {
@@ -39,14 +39,12 @@ void csg_clear(csg *solid) {
     }
     for (size_t k = 0; k < solid->primitive_count; k++) {
         free(solid->primitive[k].title);
-        for (int i = 0; i < 3; i++)
-            fmpq_clear(&solid->primitive[k].middle[i]);
+        _fmpq_vec_clear(solid->primitive[k].middle, 3);
     }
     csg_box_clear(&solid->box);
     for (size_t k = 0; k < solid->round_count; k++) {
         fmpq_clear(solid->round[k].radius);
-        for (int i = 0; i < 6; i++)
-            fmpq_clear(&solid->round[k].end[i]);
+        _fmpq_vec_clear(solid->round[k].end, 6);
     }
     free(solid->round);
     free(solid->surface);

@@ -50,14 +50,14 @@ void csg_box_clear(csg_box *box);
 
 /** A primitive; csg.primitive has the order of the file. */
 typedef struct csg_primitive {
-    char *title;    /* such as `ball 2 "tip"` */
-    fmpq middle[3]; /* the centre of a box that holds it; 0 if no box is known */
+    char *title;  /* such as `ball 2 "tip"` */
+    fmpq *middle; /* 3: the centre of a box that holds it; 0 if no box is known */
 } csg_primitive;
 
 /** The points at most `radius` from a point or a segment, its ends one after the other. */
 typedef struct csg_round {
-    int ends; /* 1 or 2 */
-    fmpq end[6];
+    int ends;  /* 1 or 2 */
+    fmpq *end; /* 6 */
     fmpq_t radius;
 } csg_round;
 
@@ -105,6 +105,14 @@ void csg_table(uint64_t *out, uint64_t *work, const csg *solid, const signed cha
 /** Set `out` to an upper bound of the square root of a number >= 0, or to the root if it is
  * rational. */
 void csg_upper_root(fmpq_t out, const fmpq_t value);
+
+/** Whether the rows of a matrix are those of a rotation or reflection times a number.
+ * @param[out] square the mean of the squared lengths of the rows
+ * @param matrix d rows of d numbers and `width` - d others that do not count */
+int csg_similar(fmpq_t square, const fmpq *matrix, int d, int width);
+
+/** Set `out` to that number, or near it; returns 0 if there is none or it is irrational. */
+int csg_scale(fmpq_t out, const fmpq *matrix, int d, int width);
 
 /* Curved solids of `.csg.json` files (src/program/cli/formats.md, Curved solids). */
 

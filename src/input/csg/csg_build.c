@@ -6,7 +6,7 @@
  */
 #include "input/csg/csg.h"
 
-#include <flint/fmpq.h>
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz_mat.h>
 #include <flint/fmpz_mpoly_factor.h>
 #include <flint/fmpz_vec.h>
@@ -20,41 +20,32 @@
 enum { TERM_WORK = 4 };   /* work of a term, for each of its machine words */
 enum { LONG_WORDS = 64 }; /* of a coefficient for which a common divisor doubles the work */
 
-void csg_build_begin(csg_builder *b, graze_context *context, csg *out, int dimension) {
-    *out = (csg){.dimension = dimension};
-    csg_box_init(&out->box);
-    b->context = context;
-    b->out = out;
-    fmpq_mpoly_ctx_init(b->ring, dimension, ORD_LEX);
-}
-
-graze_status csg_add_primitive(csg_builder *b, const char *kind, const char *name) {
-    csg *out = b->out;
-    TRY(array_grow(b->context, &out->primitive, &out->primitive_capacity, out->primitive_count + 1,
+graze_status csg_add_primitive(csg_reader *r, const char *kind, const char *name) {
+    csg *out = r->out;
+    TRY(array_grow(r->context, &out->primitive, &out->primitive_capacity, out->primitive_count + 1,
                    sizeof *out->primitive, "the primitives of a solid"));
     size_t room = strlen(kind) + (name ? strlen(name) : 0) + 32;
     char *title = malloc(room);
     if (!title)
-        return context_fail(b->context, GRAZE_ESYSTEM, "out of memory for a primitive");
+        return context_fail(r->context, GRAZE_ESYSTEM, "out of memory for a primitive");
     int length = snprintf(title, room, "%s %zu", kind, out->primitive_count);
     if (name)
         snprintf(title + length, room - (size_t)length, " \"%s\"", name);
     csg_primitive *next = &out->primitive[out->primitive_count++];
     next->title = title;
-    for (int i = 0; i < 3; i++)
-        fmpq_init(&next->middle[i]);
+    next->middle = _fmpq_vec_init(3);
     return GRAZE_OK;
 }
 
-graze_status csg_add_node(size_t *node, csg_builder *b, csg_operation operation,
+graze_status csg_add_node(size_t *node, csg_reader *r, csg_operation operation,
                           const size_t *operands, size_t count) {
-    csg *out = b->out;
-    unsigned long most = b->context->limits[GRAZE_LIMIT_CELLS];
+    csg *out = r->out;
+    unsigned long most = r->context->limits[GRAZE_LIMIT_CELLS];
     if (out->node_count >= most || count > most - out->operand_count)
-        return context_limit(b->context, GRAZE_LIMIT_CELLS, "nodes of a solid's expression");
-    TRY(array_grow(b->context, &out->node, &out->node_capacity, out->node_count + 1,
+        return context_limit(r->context, GRAZE_LIMIT_CELLS, "nodes of a solid's expression");
+    TRY(array_grow(r->context, &out->node, &out->node_capacity, out->node_count + 1,
                    sizeof *out->node, "a solid's nodes"));
-    TRY(array_grow(b->context, &out->operand, &out->operand_capacity, out->operand_count + count,
+    TRY(array_grow(r->context, &out->operand, &out->operand_capacity, out->operand_count + count,
                    sizeof *out->operand, "a solid's nodes"));
     *node = out->node_count++;
     out->node[*node] = (csg_node){.operation = operation,
@@ -63,30 +54,26 @@ graze_status csg_add_node(size_t *node, csg_builder *b, csg_operation operation,
                                   .primitive = out->primitive_count ? out->primitive_count - 1 : 0};
     for (size_t k = 0; k < count; k++)
         out->operand[out->operand_count++] = operands[k];
-    return context_work(b->context, 16);
-}
-
-void csg_complement(csg_builder *b, size_t node) {
-    b->out->node[node].complement ^= 1;
+    return context_work(r->context, 16);
 }
 
 /* Append a surface with the terms of an irreducible factor. */
-static graze_status add_surface(csg_builder *b, const fmpz_mpoly_t factor) {
-    csg *out = b->out;
-    TRY(array_grow(b->context, &out->surface, &out->surface_capacity, out->surface_count + 1,
+static graze_status add_surface(csg_reader *r, const fmpz_mpoly_t factor) {
+    csg *out = r->out;
+    TRY(array_grow(r->context, &out->surface, &out->surface_capacity, out->surface_count + 1,
                    sizeof *out->surface, "the surfaces of a solid"));
-    size_t count = (size_t)fmpz_mpoly_length(factor, b->ring->zctx);
+    size_t count = (size_t)fmpz_mpoly_length(factor, r->ring->zctx);
     csg_surface *s = &out->surface[out->surface_count];
     *s = (csg_surface){.count = count, .power = calloc(count, sizeof *s->power)};
     if (!s->power)
-        return context_fail(b->context, GRAZE_ESYSTEM, "out of memory for a surface");
+        return context_fail(r->context, GRAZE_ESYSTEM, "out of memory for a surface");
     s->coefficient = _fmpz_vec_init((slong)count);
     out->surface_count++;
     for (size_t k = 0; k < count; k++) {
         ulong power[3] = {0, 0, 0};
         int degree = 0;
-        fmpz_mpoly_get_term_coeff_fmpz(s->coefficient + k, factor, (slong)k, b->ring->zctx);
-        fmpz_mpoly_get_term_exp_ui(power, factor, (slong)k, b->ring->zctx);
+        fmpz_mpoly_get_term_coeff_fmpz(s->coefficient + k, factor, (slong)k, r->ring->zctx);
+        fmpz_mpoly_get_term_exp_ui(power, factor, (slong)k, r->ring->zctx);
         for (int i = 0; i < 3; i++) {
             s->power[k][i] = (unsigned char)power[i];
             degree += (int)power[i];
@@ -98,18 +85,18 @@ static graze_status add_surface(csg_builder *b, const fmpz_mpoly_t factor) {
 
 /* Whether f has degree 1, or degree 2 and a matrix of rank 3 or more; then it is irreducible, since
  * a product of two linear forms has a matrix of rank 2 or less. */
-static int is_plainly_irreducible(const csg_builder *b, const fmpz_mpoly_t f) {
-    int d = b->out->dimension, rank;
-    slong terms = fmpz_mpoly_length(f, b->ring->zctx);
-    if (fmpz_mpoly_total_degree_si(f, b->ring->zctx) != 2)
-        return fmpz_mpoly_total_degree_si(f, b->ring->zctx) == 1;
+static int is_plainly_irreducible(const csg_reader *r, const fmpz_mpoly_t f) {
+    int d = r->out->dimension, rank;
+    slong terms = fmpz_mpoly_length(f, r->ring->zctx);
+    if (fmpz_mpoly_total_degree_si(f, r->ring->zctx) != 2)
+        return fmpz_mpoly_total_degree_si(f, r->ring->zctx) == 1;
     LOCAL(fmpz_mat, form, d + 1, d + 1);
     LOCAL(fmpz, c);
     for (slong k = 0; k < terms; k++) {
         ulong power[3] = {0, 0, 0};
         int at[2] = {d, d}, n = 0;
-        fmpz_mpoly_get_term_exp_ui(power, f, k, b->ring->zctx);
-        fmpz_mpoly_get_term_coeff_fmpz(c, f, k, b->ring->zctx);
+        fmpz_mpoly_get_term_exp_ui(power, f, k, r->ring->zctx);
+        fmpz_mpoly_get_term_coeff_fmpz(c, f, k, r->ring->zctx);
         for (int i = 0; i < d; i++)
             for (ulong p = power[i]; p > 0; p--)
                 at[n++] = i;
@@ -122,31 +109,31 @@ static int is_plainly_irreducible(const csg_builder *b, const fmpz_mpoly_t f) {
 
 /* Append the factors of odd multiplicity as surfaces and their numbers to the `count` operands; a
  * negative constant factor flips *negative. */
-static graze_status add_factors(size_t *operand, size_t *count, int *negative, csg_builder *b,
+static graze_status add_factors(size_t *operand, size_t *count, int *negative, csg_reader *r,
                                 const fmpz_mpoly_t f) {
     fmpz_mpoly_factor_t parts;
-    const fmpz_mpoly_ctx_struct *ring = b->ring->zctx;
+    const fmpz_mpoly_ctx_struct *ring = r->ring->zctx;
     graze_status status = GRAZE_OK;
     fmpz_mpoly_factor_init(parts, ring);
     if (!fmpz_mpoly_factor(parts, f, ring))
-        status = context_fail(b->context, GRAZE_EINTERNAL, "a polynomial cannot be factored");
+        status = context_fail(r->context, GRAZE_EINTERNAL, "a polynomial cannot be factored");
     *negative ^= fmpz_sgn(parts->constant) < 0;
     for (slong k = 0; k < parts->num && !status; k++) {
         if (fmpz_is_even(parts->exp + k))
             continue;
-        operand[(*count)++] = b->out->surface_count;
-        status = add_surface(b, parts->poly + k);
+        operand[(*count)++] = r->out->surface_count;
+        status = add_surface(r, parts->poly + k);
     }
     fmpz_mpoly_factor_clear(parts, ring);
     return status;
 }
 
 /* Count the work on a polynomial, as the limit `work` does. */
-static graze_status spend(csg_builder *b, const fmpz_mpoly_t f) {
-    graze_context *context = b->context;
+static graze_status spend(csg_reader *r, const fmpz_mpoly_t f) {
+    graze_context *context = r->context;
     unsigned long words = (unsigned long)labs(fmpz_mpoly_max_bits(f)) / FLINT_BITS + 1;
     unsigned long limit = context->limits[GRAZE_LIMIT_WORK];
-    unsigned long terms = (unsigned long)fmpz_mpoly_length(f, b->ring->zctx);
+    unsigned long terms = (unsigned long)fmpz_mpoly_length(f, r->ring->zctx);
     unsigned long work = TERM_WORK * terms * (words + words * words / LONG_WORDS);
     if (context->work > limit || work > limit - context->work)
         return context_limit(context, GRAZE_LIMIT_WORK, "the polynomials of a solid, all together");
@@ -154,19 +141,19 @@ static graze_status spend(csg_builder *b, const fmpz_mpoly_t f) {
     return context_work(context, work);
 }
 
-graze_status csg_add_sign(size_t *node, csg_builder *b, const fmpq_mpoly_t f) {
-    size_t operand[CSG_DEGREE] = {b->out->surface_count}, count = 0;
+graze_status csg_add_sign(size_t *node, csg_reader *r, const fmpq_mpoly_t f) {
+    size_t operand[CSG_DEGREE] = {r->out->surface_count}, count = 0;
     int negative = fmpq_sgn(f->content) < 0;
-    TRY(spend(b, f->zpoly));
-    if (is_plainly_irreducible(b, f->zpoly)) {
+    TRY(spend(r, f->zpoly));
+    if (is_plainly_irreducible(r, f->zpoly)) {
         count = 1;
-        TRY(add_surface(b, f->zpoly));
+        TRY(add_surface(r, f->zpoly));
     } else {
-        TRY(add_factors(operand, &count, &negative, b, f->zpoly));
+        TRY(add_factors(operand, &count, &negative, r, f->zpoly));
     }
-    TRY(csg_add_node(node, b, CSG_SIGN, operand, count));
+    TRY(csg_add_node(node, r, CSG_SIGN, operand, count));
     if (negative)
-        csg_complement(b, *node);
+        r->out->node[*node].complement ^= 1;
     return GRAZE_OK;
 }
 
@@ -191,13 +178,13 @@ static int compare_numbered(const void *left, const void *right) {
     return order ? order : a->number < b->number ? -1 : a->number > b->number;
 }
 
-graze_status csg_build_finish(csg_builder *b) {
-    csg *out = b->out;
+graze_status csg_build_finish(csg_reader *r) {
+    csg *out = r->out;
     size_t n = out->surface_count, kept = 0;
     FREED(numbered_surface, list, malloc((n + 1) * sizeof *list));
     FREED(size_t, new, malloc((n + 1) * sizeof *new));
     if (!list || !new) {
-        return context_fail(b->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces", n);
+        return context_fail(r->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces", n);
     }
     for (size_t k = 0; k < n; k++)
         list[k] = (numbered_surface){out->surface[k], k};

@@ -9,6 +9,7 @@
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "input/csg/csg_reader.h"
 
 /* Take the work with these numbers from what is left; returns 0 if that is less. */
@@ -30,14 +31,11 @@ void csg_add_cut(csg_reader *r, const fmpq *normal, const fmpq_t offset) {
         return;
     LOCAL(fmpq_mat, form, 1, d + 1);
     LOCAL(fmpq_mat, inverse, d + 1, d + 1);
-    for (int i = 0; i < d; i++)
-        fmpq_set(fmpq_mat_entry(form, 0, i), normal + i);
+    vector_set(fmpq_mat_entry(form, 0, 0), normal, d);
     fmpq_neg(fmpq_mat_entry(form, 0, d), offset);
     fmpq_mat_inv(inverse, r->place);
     fmpq_mat_mul(form, form, inverse);
-    for (int i = 0; i <= d; i++)
-        fmpq_set(r->cut + 4 * r->cuts + i, fmpq_mat_entry(form, 0, i));
-    r->cuts++;
+    vector_set(r->cut + 4 * r->cuts++, fmpq_mat_entry(form, 0, 0), d + 1);
 }
 
 /* Bound the heights along the axis at which the primitive comes into a half-space, `form` in the
@@ -69,8 +67,7 @@ int csg_cut_height(fmpq_t out, csg_reader *r, const csg_shaft *body, int upward)
     LOCAL(fmpq, height);
     LOCAL(fmpq_mat, form, 1, d + 1);
     for (int k = 0; k < r->cuts && spend_cut(r, r->cut + 4 * k, d + 1); k++) {
-        for (int i = 0; i <= d; i++)
-            fmpq_set(fmpq_mat_entry(form, 0, i), r->cut + 4 * k + i);
+        vector_set(fmpq_mat_entry(form, 0, 0), r->cut + 4 * k, d + 1);
         fmpq_mat_mul(form, form, r->place);
         if (!spend_cut(r, fmpq_mat_entry(form, 0, 0), d + 1) ||
             !bound_heights(height, body, fmpq_mat_entry(form, 0, 0), upward))
@@ -110,7 +107,7 @@ static int move_side(csg_box *box, unsigned *known, csg_reader *r, const fmpq *f
     int sign = high ? 1 : -1;
     if ((*known & side_bit(i, high) && sign * fmpq_cmp(bound, side) >= 0) ||
         (*known & side_bit(i, !high) && sign * fmpq_cmp(bound, other) <= 0) ||
-        csg_is_long(r->build.context, bound) || !spend_cut(r, bound, 1))
+        csg_is_long(r->context, bound) || !spend_cut(r, bound, 1))
         return 0;
     fmpq_set(side, bound);
     *known |= side_bit(i, high);

@@ -39,7 +39,7 @@ static graze_status read_node(size_t *node, csg_reader *r, const json *value);
 /* Note the half-spaces among the operands of an intersection. A fault in one is met again, in its
  * turn, when the operands are read. */
 static graze_status note_cuts(csg_reader *r, const json *operands) {
-    graze_context *context = r->build.context;
+    graze_context *context = r->context;
     unsigned long work = context->work;
     graze_status status = GRAZE_OK;
     for (const json *item = operands->first; item; item = item->next)
@@ -53,7 +53,7 @@ static graze_status note_cuts(csg_reader *r, const json *operands) {
 /* Read the nodes of an array as operands; those of a difference after the first are complemented.
  */
 static graze_status read_operands(size_t *node, csg_reader *r, const json *value, int key) {
-    graze_context *context = r->build.context;
+    graze_context *context = r->context;
     size_t least = key == DIFFERENCE ? 2 : 1;
     TRY(json_array(context, value, 0));
     if (value->count < least)
@@ -69,7 +69,7 @@ static graze_status read_operands(size_t *node, csg_reader *r, const json *value
     for (const json *item = value->first; item; item = item->next) {
         TRY(read_node(&part[item->index], r, item));
         if (key == DIFFERENCE && item->index > 0)
-            csg_complement(&r->build, part[item->index]);
+            r->out->node[part[item->index]].complement ^= 1;
         if (item->index == 0)
             csg_box_set(&box, &r->box);
         else if (key == UNION)
@@ -80,19 +80,19 @@ static graze_status read_operands(size_t *node, csg_reader *r, const json *value
     csg_box_set(&r->box, &box);
     csg_cut_box(r, around);
     r->cuts = around;
-    return csg_add_node(node, &r->build, key == UNION ? CSG_ANY : CSG_ALL, part, value->count);
+    return csg_add_node(node, r, key == UNION ? CSG_ANY : CSG_ALL, part, value->count);
 }
 
 /* Read d rows of d + 1 numbers into a homogeneous matrix `map`, and set `out` to its inverse. */
 static graze_status read_map(fmpq_mat_t map, fmpq_mat_t out, csg_reader *r, const json *value) {
     int d = r->dimension;
-    TRY(json_array(r->build.context, value, (size_t)d));
+    TRY(json_array(r->context, value, (size_t)d));
     const json *row = value->first;
     fmpq_one(fmpq_mat_entry(map, d, d));
     for (int i = 0; i < d; i++, row = row->next)
         TRY(csg_read_vector(fmpq_mat_entry(map, i, 0), r, row, (size_t)d + 1));
     if (!fmpq_mat_inv(out, map))
-        return json_fail(r->build.context, GRAZE_EILLEGAL, value,
+        return json_fail(r->context, GRAZE_EILLEGAL, value,
                          "the matrix is singular; expected an invertible one");
     return GRAZE_OK;
 }
@@ -101,7 +101,7 @@ static graze_status read_map(fmpq_mat_t map, fmpq_mat_t out, csg_reader *r, cons
  * long. */
 static graze_status check_digits(csg_reader *r, const fmpq *x, slong count, const json *value,
                                  const char *what) {
-    graze_context *context = r->build.context;
+    graze_context *context = r->context;
     for (slong k = 0; k < count; k++)
         if (csg_is_long(context, x + k))
             return json_at(context, context_limit(context, GRAZE_LIMIT_DIGITS, what), value);
@@ -113,9 +113,9 @@ static graze_status read_affine(size_t *node, csg_reader *r, const json *value) 
     const json *member[2];
     int d = r->dimension;
     fmpq_mpoly_struct outer[3];
-    TRY(json_members(member, r->build.context, value, names, 2));
+    TRY(json_members(member, r->context, value, names, 2));
     if (!member[0] || !member[1])
-        return json_fail(r->build.context, GRAZE_EINPUT, value, "expected matrix and of");
+        return json_fail(r->context, GRAZE_EINPUT, value, "expected matrix and of");
     LOCAL(fmpq_mat, map, d + 1, d + 1);
     LOCAL(fmpq_mat, inverse, d + 1, d + 1);
     LOCAL(fmpq, constant);
@@ -127,13 +127,13 @@ static graze_status read_affine(size_t *node, csg_reader *r, const json *value) 
     for (int i = 0; i < d; i++)
         outer[i] = r->coordinate[i];
     for (int i = 0; i < d; i++) {
-        fmpq_mpoly_init(&r->coordinate[i], r->build.ring);
+        fmpq_mpoly_init(&r->coordinate[i], r->ring);
         fmpq_neg(constant, fmpq_mat_entry(inverse, i, d));
         csg_linear_form(&r->coordinate[i], r, fmpq_mat_entry(inverse, i, 0), outer, constant);
     }
     graze_status status = read_node(node, r, member[1]);
     for (int i = 0; i < d; i++) {
-        fmpq_mpoly_clear(&r->coordinate[i], r->build.ring);
+        fmpq_mpoly_clear(&r->coordinate[i], r->ring);
         r->coordinate[i] = outer[i];
     }
     fmpq_mat_swap(map, r->place);
@@ -149,7 +149,7 @@ static graze_status read_name(const char **out, csg_reader *r, const json *value
     for (size_t k = 0; k < value->length && plain; k++)
         plain = (unsigned char)value->text[k] >= ' ' && value->text[k] != '"';
     if (!plain)
-        return json_fail(r->build.context, GRAZE_EINPUT, value,
+        return json_fail(r->context, GRAZE_EINPUT, value,
                          "expected a name of 1 to 100 bytes without quotes and control characters");
     *out = value->text;
     return GRAZE_OK;
@@ -157,13 +157,13 @@ static graze_status read_name(const char **out, csg_reader *r, const json *value
 
 static graze_status read_primitive(size_t *node, csg_reader *r, const json *value, int key,
                                    const char *name) {
-    graze_status status = csg_add_primitive(&r->build, key_names[key], name);
+    graze_status status = csg_add_primitive(r, key_names[key], name);
     r->box.dimension = 0;
     if (!status)
         status = readers[key - FIRST_PRIMITIVE](node, r, value);
-    status = json_at_last(r->build.context, status, value);
+    status = json_at_last(r->context, status, value);
     for (int i = 0; i < r->box.dimension && !status; i++) {
-        fmpq *middle = &r->build.out->primitive[r->build.out->primitive_count - 1].middle[i];
+        fmpq *middle = &r->out->primitive[r->out->primitive_count - 1].middle[i];
         fmpq_add(middle, &r->box.low[i], &r->box.high[i]);
         fmpq_div_2exp(middle, middle, 1);
     }
@@ -173,19 +173,19 @@ static graze_status read_primitive(size_t *node, csg_reader *r, const json *valu
 static graze_status read_node(size_t *node, csg_reader *r, const json *value) {
     const json *member[KEYS];
     const char *name;
-    TRY(json_members(member, r->build.context, value, key_names, KEYS));
+    TRY(json_members(member, r->context, value, key_names, KEYS));
     int key = 0, given = 0;
     for (int k = AFFINE; k < KEYS; k++) {
         given += member[k] != NULL;
         key = member[k] ? k : key;
     }
     if (given != 1)
-        return json_fail(r->build.context, GRAZE_EINPUT, value,
+        return json_fail(r->context, GRAZE_EINPUT, value,
                          "expected exactly one primitive, affine, union, intersection or "
                          "difference, not %d",
                          given);
     TRY(read_name(&name, r, member[NAME]));
-    r->build.out->not_round |= key != AFFINE && key != UNION && key != BALL && key != CAPSULE;
+    r->out->not_round |= key != AFFINE && key != UNION && key != BALL && key != CAPSULE;
     if (key == AFFINE)
         return read_affine(node, r, member[key]);
     if (key < FIRST_PRIMITIVE)
@@ -197,10 +197,10 @@ static graze_status read_node(size_t *node, csg_reader *r, const json *value) {
 static graze_status read_curved(csg_reader *r, const json *value) {
     size_t node;
     TRY(read_node(&node, r, value));
-    TRY(csg_build_finish(&r->build));
+    TRY(csg_build_finish(r));
     TRY(check_digits(r, r->box.low, r->box.dimension, value, "a box of the solid"));
     TRY(check_digits(r, r->box.high, r->box.dimension, value, "a box of the solid"));
-    csg_box_set(&r->build.out->box, &r->box);
+    csg_box_set(&r->out->box, &r->box);
     return GRAZE_OK;
 }
 

@@ -16,62 +16,54 @@ void csg_box_set(csg_box *to, const csg_box *from);
  * has dimension 0. The caller sets the dimension. */
 void csg_box_hold(csg_box *box, int i, const fmpq_t low, const fmpq_t high);
 
-/* A curved solid that grows: polynomials are factored to surfaces, nodes appended. */
-
-typedef struct csg_builder {
-    graze_context *context;
-    csg *out;
-    fmpq_mpoly_ctx_t ring; /* of the coordinates */
-} csg_builder;
-
-/** Begin with an empty solid. The functions below return GRAZE_ELIMIT if nodes or operands exceed
- * the limit `cells`, GRAZE_ECANCELED, GRAZE_ESYSTEM. */
-void csg_build_begin(csg_builder *b, graze_context *context, csg *out, int dimension);
-
-/** Add a primitive; the nodes CSG_SIGN that are added next belong to this primitive. `name` may be
- * NULL. */
-graze_status csg_add_primitive(csg_builder *b, const char *kind, const char *name);
-
-/** Add a node for the set f <= 0 to the last primitive; f is not zero, of degree at most
- * CSG_DEGREE.
- */
-graze_status csg_add_sign(size_t *node, csg_builder *b, const fmpq_mpoly_t f);
-
-/** Add a node whose operands are nodes; a node is an operand of at most one other node. */
-graze_status csg_add_node(size_t *node, csg_builder *b, csg_operation operation,
-                          const size_t *operands, size_t count);
-
-/** Turn a node into its complement. */
-void csg_complement(csg_builder *b, size_t node);
-
-/** Finish the solid: equal surfaces become one. */
-graze_status csg_build_finish(csg_builder *b);
-
 /* The state in which the nodes of a curved solid are read. */
 
 /** A reader, with the frame of the node that is being read: `coordinate` expresses the node's
  * coordinates as linear forms in the solid's, and `place` maps the node's frame to the solid's. The
  * other polynomials are temporary. */
 typedef struct csg_reader {
-    csg_builder build;
+    graze_context *context;
+    csg *out;
+    fmpq_mpoly_ctx_t ring; /* of the coordinates */
     int dimension;
     fmpq_mat_t place; /* from the frame of the node to that of the solid, homogeneous */
     csg_box box;      /* holds what counts of the node read last; in the frame of the solid */
     fmpq *cut; /* half-spaces around the node, in the frame of the solid: 4 numbers each; the first
                   d + 1 are a form that is 0 or less there */
     int cuts;  /* at most CSG_CUTS_MOST */
-    unsigned long cut_work; /* left for boxes within half-spaces */
-    fmpq_mpoly_struct coordinate[3];
-    fmpq_mpoly_struct from[3];                /* the point minus a primitive's own point */
-    fmpq_mpoly_struct square, along, f, term; /* |from|^2, axis . from, the polynomial, a summand */
+    unsigned long cut_work;                       /* left for boxes within half-spaces */
+    fmpq_mpoly_struct poly[10], *coordinate;      /* all polynomials; 3 of them */
+    fmpq_mpoly_struct *from;                      /* 3: the point minus a primitive's own point */
+    fmpq_mpoly_struct *square, *along, *f, *term; /* |from|^2, axis . from, the polynomial, a
+                                                   * summand */
 } csg_reader;
 
 /** Read the value of a primitive's key, after csg_add_primitive. */
 typedef graze_status csg_primitive_reader(size_t *node, csg_reader *r, const json *value);
 
-/** Begin a reader, in the frame of the solid, and its builder. csg_reader_clear keeps the solid. */
+/** Begin a reader, in the frame of the solid, and an empty solid. csg_reader_clear keeps the solid.
+ */
 void csg_reader_init(csg_reader *r, graze_context *context, csg *out, int dimension);
 void csg_reader_clear(csg_reader *r);
+
+/* The solid grows: polynomials are factored to surfaces, nodes appended. The functions return
+ * GRAZE_ELIMIT if nodes or operands exceed the limit `cells`, GRAZE_ECANCELED, GRAZE_ESYSTEM. */
+
+/** Add a primitive; the nodes CSG_SIGN that are added next belong to this primitive. `name` may be
+ * NULL. */
+graze_status csg_add_primitive(csg_reader *r, const char *kind, const char *name);
+
+/** Add a node for the set f <= 0 to the last primitive; f is not zero, of degree at most
+ * CSG_DEGREE.
+ */
+graze_status csg_add_sign(size_t *node, csg_reader *r, const fmpq_mpoly_t f);
+
+/** Add a node whose operands are nodes; a node is an operand of at most one other node. */
+graze_status csg_add_node(size_t *node, csg_reader *r, csg_operation operation,
+                          const size_t *operands, size_t count);
+
+/** Finish the solid: equal surfaces become one. */
+graze_status csg_build_finish(csg_reader *r);
 
 /** Get the `count` members of a primitive's object by name; the first `needed` must be there. */
 graze_status csg_read_members(const json **out, csg_reader *r, const json *value,

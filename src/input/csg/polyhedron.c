@@ -56,13 +56,13 @@ static int set_plane(faces *f, size_t a, size_t b, size_t c) {
     vector_sub(v, f->point + 3 * c, f->point + 3 * a, 3);
     vector_cross(f->form, u, v);
     _fmpq_vec_dot(f->form + 3, f->form, f->point + 3 * a, 3);
-    return !(fmpq_is_zero(f->form) && fmpq_is_zero(f->form + 1) && fmpq_is_zero(f->form + 2));
+    return !vector_is_zero(f->form, 3);
 }
 
 /* Check that the corners of the face lie in the plane f->form and that no point is on another side
  * of it than f->side, which is common to all planes. */
 static graze_status check_plane(faces *f, const json *face) {
-    graze_context *context = f->r->build.context;
+    graze_context *context = f->r->context;
     for (size_t k = 0; k < face->count; k++)
         if (plane_side(f, f->corner[k]) != 0)
             return json_fail(context, GRAZE_EILLEGAL, face, "the face is not plane");
@@ -80,12 +80,12 @@ static graze_status check_plane(faces *f, const json *face) {
 
 /* Add the half-space of the plane f->form that holds the points. */
 static graze_status add_plane(faces *f) {
-    csg_linear_form(&f->r->f, f->r, f->form, f->r->coordinate, f->form + 3);
+    csg_linear_form(f->r->f, f->r, f->form, f->r->coordinate, f->form + 3);
     return csg_add_side(&f->node[f->nodes++], f->r, f->side > 0);
 }
 
 static graze_status read_corners(faces *f, const json *face) {
-    graze_context *context = f->r->build.context;
+    graze_context *context = f->r->context;
     LOCAL(fmpz, number);
     size_t k = 0;
     TRY(json_array(context, face, 0));
@@ -127,14 +127,13 @@ static graze_status check_closed(faces *f) {
         const edge *e = &f->edge[k];
         sum += e->low == e->high ? 0 : e->back ? -1 : 1;
         if (sum && (k + 1 == f->edges || edge_order(e, e + 1) != 0))
-            return json_fail(f->r->build.context, GRAZE_EILLEGAL, f->value,
+            return json_fail(f->r->context, GRAZE_EILLEGAL, f->value,
                              "the edge of the points %zu and %zu is not one of two faces, in both "
                              "directions; expected a closed surface",
                              e->low, e->high);
     }
     if (f->nodes == 0 || !f->side)
-        return json_fail(f->r->build.context, GRAZE_EILLEGAL, f->value,
-                         "the polyhedron has no interior");
+        return json_fail(f->r->context, GRAZE_EILLEGAL, f->value, "the polyhedron has no interior");
     return GRAZE_OK;
 }
 
@@ -163,7 +162,7 @@ static graze_status polyhedron_faces(size_t *node, faces *f, const json *points,
     FREED(edge, sides, malloc((corners + 1) * sizeof *sides));
     FREED(size_t, planes, malloc((list->count + 1) * sizeof *planes));
     if (!corner || !sides || !planes)
-        return context_fail(f->r->build.context, GRAZE_ESYSTEM, "out of memory for a polyhedron");
+        return context_fail(f->r->context, GRAZE_ESYSTEM, "out of memory for a polyhedron");
     f->points = points->count;
     f->point = point;
     f->form = form;
@@ -174,7 +173,7 @@ static graze_status polyhedron_faces(size_t *node, faces *f, const json *points,
     for (const json *face = list->first; face; face = face->next)
         TRY(read_face(f, face));
     TRY(check_closed(f));
-    return csg_add_node(node, &f->r->build, CSG_ALL, f->node, f->nodes);
+    return csg_add_node(node, f->r, CSG_ALL, f->node, f->nodes);
 }
 
 graze_status csg_read_polyhedron(size_t *node, csg_reader *r, const json *value) {
@@ -184,6 +183,6 @@ graze_status csg_read_polyhedron(size_t *node, csg_reader *r, const json *value)
     TRY(csg_read_members(member, r, value, names, 2, 2));
     TRY(csg_in_space(r, value));
     for (int k = 0; k < 2; k++)
-        TRY(json_array(r->build.context, member[k], 0));
+        TRY(json_array(r->context, member[k], 0));
     return polyhedron_faces(node, &f, member[0], member[1]);
 }

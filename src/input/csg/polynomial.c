@@ -15,6 +15,7 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "input/csg/csg_reader.h"
 #include "input/motion/motion.h"
 
@@ -30,7 +31,7 @@ static graze_status read_powers(ulong *out, csg_reader *r, const json *term) {
     }
     if (good && degree <= CSG_DEGREE)
         return GRAZE_OK;
-    return json_fail(r->build.context, GRAZE_EINPUT, term,
+    return json_fail(r->context, GRAZE_EINPUT, term,
                      "expected powers of the %d coordinates with commas, such as \"%s\", of degree "
                      "at most %d",
                      d, d == 2 ? "2,0" : "2,0,1", CSG_DEGREE);
@@ -38,22 +39,21 @@ static graze_status read_powers(ulong *out, csg_reader *r, const json *term) {
 
 /* Add a coefficient times the powers of the coordinates to f. */
 static void add_term(csg_reader *r, const fmpq_t coefficient, const ulong *power) {
-    const fmpq_mpoly_ctx_struct *ring = r->build.ring;
-    fmpq_mpoly_set_fmpq(&r->term, coefficient, ring);
+    fmpq_mpoly_set_fmpq(r->term, coefficient, r->ring);
     for (int i = 0; i < r->dimension; i++)
         for (ulong k = 0; k < power[i]; k++)
-            fmpq_mpoly_mul(&r->term, &r->term, &r->coordinate[i], ring);
-    fmpq_mpoly_add(&r->f, &r->f, &r->term, ring);
+            fmpq_mpoly_mul(r->term, r->term, &r->coordinate[i], r->ring);
+    fmpq_mpoly_add(r->f, r->f, r->term, r->ring);
 }
 
 graze_status csg_read_polynomial(size_t *node, csg_reader *r, const json *value) {
-    graze_context *context = r->build.context;
+    graze_context *context = r->context;
     LOCAL(fmpq, coefficient);
     ulong power[3];
     if (value->kind != JSON_OBJECT)
         return json_fail(context, GRAZE_EINPUT, value,
                          "expected an object of coefficients by powers");
-    fmpq_mpoly_zero(&r->f, r->build.ring);
+    fmpq_mpoly_zero(r->f, r->ring);
     for (const json *term = value->first; term; term = term->next) {
         TRY(read_powers(power, r, term));
         for (const json *other = value->first; other != term; other = other->next)
@@ -63,7 +63,7 @@ graze_status csg_read_polynomial(size_t *node, csg_reader *r, const json *value)
         TRY(csg_read_number(coefficient, r, term));
         add_term(r, coefficient, power);
     }
-    if (fmpq_mpoly_is_zero(&r->f, r->build.ring))
+    if (fmpq_mpoly_is_zero(r->f, r->ring))
         return json_fail(context, GRAZE_EILLEGAL, value,
                          "the polynomial is zero; expected a coefficient that is not");
     return csg_add_side(node, r, 0);
@@ -94,14 +94,14 @@ static graze_status add_strip(polygon_edges *e, csg_reader *r, const fmpq *p, co
     const fmpq_mpoly_struct *x = &r->coordinate[e->revolved ? 2 : 0];
     const fmpq *end[2] = {p + along, q + along};
     size_t part[3];
-    TRY(array_grow(r->build.context, &e->node, &e->capacity, e->count + 1, sizeof *e->node,
+    TRY(array_grow(r->context, &e->node, &e->capacity, e->count + 1, sizeof *e->node,
                    "the edges of a polygon"));
     TRY(csg_add_side(&part[0], r, 0));
     for (int k = 0; k < 2; k++) {
-        fmpq_mpoly_sub_fmpq(&r->f, x, end[fmpq_cmp(end[0], end[1]) < 0 ? k : 1 - k], r->build.ring);
+        fmpq_mpoly_sub_fmpq(r->f, x, end[fmpq_cmp(end[0], end[1]) < 0 ? k : 1 - k], r->ring);
         TRY(csg_add_side(&part[1 + k], r, k == 0));
     }
-    return csg_add_node(&e->node[e->count++], &r->build, CSG_ALL, part, 3);
+    return csg_add_node(&e->node[e->count++], r, CSG_ALL, part, 3);
 }
 
 /* Add the points above the edge from p to q, none if the edge is vertical. */
@@ -114,7 +114,7 @@ static graze_status add_edge(polygon_edges *e, csg_reader *r, const fmpq *p, con
     fmpq_sub(n + 1, left, right);
     fmpq_mul(n + 3, n, left);
     fmpq_addmul(n + 3, n + 1, left + 1);
-    csg_linear_form(&r->f, r, n, r->coordinate, n + 3);
+    csg_linear_form(r->f, r, n, r->coordinate, n + 3);
     return add_strip(e, r, p, q, 0);
 }
 
@@ -137,39 +137,36 @@ static void cut_at_axis(fmpq *p, const fmpq *q) {
  * distance from the axis. */
 static graze_status add_revolved_edge(polygon_edges *e, csg_reader *r, const fmpq *p,
                                       const fmpq *q) {
-    const fmpq_mpoly_ctx_struct *ring = r->build.ring;
     if (fmpq_equal(p + 1, q + 1) || (fmpq_sgn(p) <= 0 && fmpq_sgn(q) <= 0))
         return GRAZE_OK;
     LOCAL_VEC(fmpq, v, 9);
     fmpq *from = v, *to = v + 2, *height = v + 4, *constant = v + 5;
-    for (int i = 0; i < 2; i++) {
-        fmpq_set(from + i, p + i);
-        fmpq_set(to + i, q + i);
-    }
+    vector_set(from, p, 2);
+    vector_set(to, q, 2);
     cut_at_axis(from, q);
     cut_at_axis(to, p);
     fmpq_sub(height, to + 1, from + 1);
     fmpq_sub(v + 8, to, from);
     fmpq_mul(constant, v + 8, from + 1);
     fmpq_submul(constant, from, height);
-    csg_linear_form(&r->along, r, v + 6, r->coordinate, constant);
+    csg_linear_form(r->along, r, v + 6, r->coordinate, constant);
     fmpq_mul(height, height, height);
-    fmpq_mpoly_mul(&r->f, &r->coordinate[0], &r->coordinate[0], ring);
-    fmpq_mpoly_mul(&r->term, &r->coordinate[1], &r->coordinate[1], ring);
-    fmpq_mpoly_add(&r->f, &r->f, &r->term, ring);
-    fmpq_mpoly_scalar_mul_fmpq(&r->f, &r->f, height, ring);
-    fmpq_mpoly_mul(&r->term, &r->along, &r->along, ring);
-    fmpq_mpoly_sub(&r->f, &r->f, &r->term, ring);
+    fmpq_mpoly_mul(r->f, &r->coordinate[0], &r->coordinate[0], r->ring);
+    fmpq_mpoly_mul(r->term, &r->coordinate[1], &r->coordinate[1], r->ring);
+    fmpq_mpoly_add(r->f, r->f, r->term, r->ring);
+    fmpq_mpoly_scalar_mul_fmpq(r->f, r->f, height, r->ring);
+    fmpq_mpoly_mul(r->term, r->along, r->along, r->ring);
+    fmpq_mpoly_sub(r->f, r->f, r->term, r->ring);
     return add_strip(e, r, from, to, 1);
 }
 
 static graze_status read_polygon_ring(polygon_edges *e, csg_reader *r, const json *value) {
     graze_status (*add)(polygon_edges *, csg_reader *, const fmpq *, const fmpq *) =
         e->revolved ? add_revolved_edge : add_edge;
-    TRY(json_array(r->build.context, value, 0));
+    TRY(json_array(r->context, value, 0));
     if (value->count < 3)
-        return json_fail(r->build.context, GRAZE_EINPUT, value,
-                         "expected at least 3 points, not %zu", value->count);
+        return json_fail(r->context, GRAZE_EINPUT, value, "expected at least 3 points, not %zu",
+                         value->count);
     LOCAL_VEC(fmpq, point, 6);
     fmpq *first = point, *last = point + 2, *next = point + 4;
     for (const json *item = value->first; item; item = item->next) {
@@ -179,10 +176,8 @@ static graze_status read_polygon_ring(polygon_edges *e, csg_reader *r, const jso
         e->box.dimension = 2;
         if (item->index > 0)
             TRY(add(e, r, last, next));
-        for (int i = 0; i < 2; i++) {
-            fmpq_set(item->index > 0 ? last + i : first + i, next + i);
-            fmpq_set(last + i, next + i);
-        }
+        vector_set(item->index > 0 ? last : first, next, 2);
+        vector_set(last, next, 2);
     }
     return add(e, r, last, first);
 }
@@ -193,22 +188,22 @@ static graze_status extrude(size_t *node, polygon_edges *e, csg_reader *r, const
     LOCAL_VEC(fmpq, height, 2);
     TRY(csg_read_vector(height, r, value, 2));
     if (fmpq_cmp(height, height + 1) >= 0)
-        return json_fail(r->build.context, GRAZE_EILLEGAL, value,
+        return json_fail(r->context, GRAZE_EILLEGAL, value,
                          "expected a second height above the first");
     for (int k = 0; k < 2; k++) {
-        fmpq_mpoly_sub_fmpq(&r->f, &r->coordinate[2], height + k, r->build.ring);
+        fmpq_mpoly_sub_fmpq(r->f, &r->coordinate[2], height + k, r->ring);
         TRY(csg_add_side(&part[1 + k], r, k == 0));
     }
     fmpq_swap(&e->box.low[2], height);
     fmpq_swap(&e->box.high[2], height + 1);
-    return csg_add_node(node, &r->build, CSG_ALL, part, 3);
+    return csg_add_node(node, r, CSG_ALL, part, 3);
 }
 
 /* Set *revolved, and check that a polygon in space is either extruded or revolved, one in the plane
  * neither. */
 static graze_status polygon_form(int *revolved, csg_reader *r, const json *value,
                                  const json *extruded, const json *turns) {
-    graze_context *context = r->build.context;
+    graze_context *context = r->context;
     *revolved = turns != NULL;
     if ((extruded != NULL) + (turns != NULL) != (r->dimension == 3))
         return json_fail(context, GRAZE_EINPUT, value,
@@ -235,12 +230,10 @@ static void revolve_box(csg_box *box) {
 
 graze_status csg_read_polygon(size_t *node, csg_reader *r, const json *value) {
     static const char *const names[] = {"points", "holes", "extrude", "revolve"};
-    graze_context *context = r->build.context;
+    graze_context *context = r->context;
     const json *member[4];
     HELD(polygon_edges, e);
-    TRY(json_members(member, context, value, names, 4));
-    if (!member[0])
-        return json_fail(context, GRAZE_EINPUT, value, "the key points is missing");
+    TRY(csg_read_members(member, r, value, names, 4, 1));
     TRY(polygon_form(&e.revolved, r, value, member[2], member[3]));
     TRY(read_polygon_ring(&e, r, member[0]));
     if (member[1])
@@ -249,7 +242,7 @@ graze_status csg_read_polygon(size_t *node, csg_reader *r, const json *value) {
         TRY(read_polygon_ring(&e, r, hole));
     if (e.count == 0)
         return json_fail(context, GRAZE_EILLEGAL, value, "the polygon has no interior");
-    TRY(csg_add_node(node, &r->build, CSG_ODD, e.node, e.count));
+    TRY(csg_add_node(node, r, CSG_ODD, e.node, e.count));
     if (member[2])
         TRY(extrude(node, &e, r, member[2]));
     if (e.revolved)

@@ -9,6 +9,7 @@
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "input/csg/csg_reader.h"
 #include "input/motion/motion.h"
 
@@ -33,17 +34,16 @@ static void placed_clear(placed *p) {
 static graze_status read_size(fmpq_t out, csg_reader *r, const json *value) {
     TRY(csg_read_number(out, r, value));
     if (fmpq_sgn(out) <= 0)
-        return json_fail(r->build.context, GRAZE_EILLEGAL, value, "expected a positive number");
+        return json_fail(r->context, GRAZE_EILLEGAL, value, "expected a positive number");
     return GRAZE_OK;
 }
 
 static void set_from(csg_reader *r, const fmpq *point) {
-    const fmpq_mpoly_ctx_struct *ring = r->build.ring;
-    fmpq_mpoly_zero(&r->square, ring);
+    fmpq_mpoly_zero(r->square, r->ring);
     for (int i = 0; i < r->dimension; i++) {
-        fmpq_mpoly_sub_fmpq(&r->from[i], &r->coordinate[i], point + i, ring);
-        fmpq_mpoly_mul(&r->term, &r->from[i], &r->from[i], ring);
-        fmpq_mpoly_add(&r->square, &r->square, &r->term, ring);
+        fmpq_mpoly_sub_fmpq(&r->from[i], &r->coordinate[i], point + i, r->ring);
+        fmpq_mpoly_mul(r->term, &r->from[i], &r->from[i], r->ring);
+        fmpq_mpoly_add(r->square, r->square, r->term, r->ring);
     }
 }
 
@@ -53,7 +53,7 @@ static graze_status add_ball(size_t *node, csg_reader *r, const placed *p, const
     LOCAL(fmpq, zero);
     csg_bound_round(r, p->point, NULL, radius, zero);
     fmpq_mul(square, radius, radius);
-    fmpq_mpoly_sub_fmpq(&r->f, &r->square, square, r->build.ring);
+    fmpq_mpoly_sub_fmpq(r->f, r->square, square, r->ring);
     return csg_add_side(node, r, 0);
 }
 
@@ -62,19 +62,18 @@ static graze_status add_cap(size_t *node, csg_reader *r, const placed *p, const 
                             int other) {
     LOCAL(fmpq, level);
     fmpq_mul(level, bound, p->length2);
-    fmpq_mpoly_sub_fmpq(&r->f, &r->along, level, r->build.ring);
+    fmpq_mpoly_sub_fmpq(r->f, r->along, level, r->ring);
     return csg_add_side(node, r, other);
 }
 
 /* Set f = |a|^2 |from|^2 - factor (a . from)^2 - constant for the axis a. */
 static void set_about_axis(csg_reader *r, const placed *p, const fmpq_t factor,
                            const fmpq_t constant) {
-    const fmpq_mpoly_ctx_struct *ring = r->build.ring;
-    fmpq_mpoly_scalar_mul_fmpq(&r->f, &r->square, p->length2, ring);
-    fmpq_mpoly_mul(&r->term, &r->along, &r->along, ring);
-    fmpq_mpoly_scalar_mul_fmpq(&r->term, &r->term, factor, ring);
-    fmpq_mpoly_sub(&r->f, &r->f, &r->term, ring);
-    fmpq_mpoly_sub_fmpq(&r->f, &r->f, constant, ring);
+    fmpq_mpoly_scalar_mul_fmpq(r->f, r->square, p->length2, r->ring);
+    fmpq_mpoly_mul(r->term, r->along, r->along, r->ring);
+    fmpq_mpoly_scalar_mul_fmpq(r->term, r->term, factor, r->ring);
+    fmpq_mpoly_sub(r->f, r->f, r->term, r->ring);
+    fmpq_mpoly_sub_fmpq(r->f, r->f, constant, r->ring);
 }
 
 /* Set f for the infinite cylinder of radius `first`. */
@@ -97,10 +96,10 @@ static graze_status read_placed_axis(placed *p, csg_reader *r, const json *point
     for (size_t i = 0; i < d; i++)
         fmpq_addmul(p->length2, p->axis + i, p->axis + i);
     if (fmpq_is_zero(p->length2))
-        return json_fail(r->build.context, GRAZE_EILLEGAL, axis,
+        return json_fail(r->context, GRAZE_EILLEGAL, axis,
                          "the axis is zero; expected a direction");
     set_from(r, p->point);
-    csg_linear_form(&r->along, r, p->axis, r->from, zero);
+    csg_linear_form(r->along, r, p->axis, r->from, zero);
     return GRAZE_OK;
 }
 
@@ -112,7 +111,7 @@ static graze_status read_bounds(placed *p, csg_reader *r, const json *from, cons
     p->has_from = from != NULL;
     p->has_to = to != NULL;
     if (from && to && fmpq_cmp(p->from, p->to) >= 0)
-        return json_fail(r->build.context, GRAZE_EILLEGAL, to, "expected more than from");
+        return json_fail(r->context, GRAZE_EILLEGAL, to, "expected more than from");
     return GRAZE_OK;
 }
 
@@ -124,7 +123,7 @@ static graze_status add_bounded(size_t *node, csg_reader *r, const placed *p) {
         TRY(add_cap(&part[count++], r, p, p->from, 1));
     if (p->has_to)
         TRY(add_cap(&part[count++], r, p, p->to, 0));
-    return csg_add_node(node, &r->build, CSG_ALL, part, count);
+    return csg_add_node(node, r, CSG_ALL, part, count);
 }
 
 /* Set the two ends of a cylinder or a cone: those given, or where the half-spaces around it end it.
@@ -162,8 +161,8 @@ static void bound_between(csg_reader *r, const placed *p, int cone) {
         csg_bound_round(r, v, p->axis, zero, square);
     }
     for (int i = 0; i < 3 && !given; i++)
-        is_long |= csg_is_long(r->build.context, &r->box.low[i]) ||
-                   csg_is_long(r->build.context, &r->box.high[i]);
+        is_long |=
+            csg_is_long(r->context, &r->box.low[i]) || csg_is_long(r->context, &r->box.high[i]);
     r->box.dimension = is_long ? 0 : r->box.dimension;
 }
 
@@ -171,10 +170,8 @@ static void bound_between(csg_reader *r, const placed *p, int cone) {
 static void bound_about(csg_reader *r, const placed *p) {
     int d = r->dimension;
     LOCAL_VEC(fmpq, end, 2 * d);
-    for (int i = 0; i < d; i++) {
-        fmpq_sub(end + i, p->point + i, p->axis + i);
-        fmpq_add(end + d + i, p->point + i, p->axis + i);
-    }
+    vector_sub(end, p->point, p->axis, d);
+    vector_add(end + d, p->point, p->axis, d);
     csg_bound_corners(r, end, end + d);
 }
 
@@ -185,9 +182,9 @@ static graze_status read_halfspace(placed *p, csg_reader *r, const json *value) 
     TRY(csg_read_members(member, r, value, names, 2, 2));
     TRY(csg_read_vector(p->axis, r, member[0], (size_t)r->dimension));
     TRY(csg_read_number(p->first, r, member[1]));
-    csg_linear_form(&r->f, r, p->axis, r->coordinate, p->first);
-    if (fmpq_mpoly_is_fmpq(&r->f, r->build.ring))
-        return json_fail(r->build.context, GRAZE_EILLEGAL, member[0],
+    csg_linear_form(r->f, r, p->axis, r->coordinate, p->first);
+    if (fmpq_mpoly_is_fmpq(r->f, r->ring))
+        return json_fail(r->context, GRAZE_EILLEGAL, member[0],
                          "the normal is zero; expected a direction");
     return GRAZE_OK;
 }
@@ -216,13 +213,13 @@ graze_status csg_read_box(size_t *node, csg_reader *r, const json *value) {
     TRY(csg_read_vector(high, r, member[1], d));
     for (size_t i = 0; i < d; i++)
         if (fmpq_cmp(low + i, high + i) >= 0)
-            return json_fail(r->build.context, GRAZE_EILLEGAL, member[1],
+            return json_fail(r->context, GRAZE_EILLEGAL, member[1],
                              "expected more than low in each coordinate");
     for (size_t k = 0; k < 2 * d; k++) {
-        fmpq_mpoly_sub_fmpq(&r->f, &r->coordinate[k / 2], low + 3 * (k % 2) + k / 2, r->build.ring);
+        fmpq_mpoly_sub_fmpq(r->f, &r->coordinate[k / 2], low + 3 * (k % 2) + k / 2, r->ring);
         TRY(csg_add_side(&part[k], r, k % 2 == 0));
     }
-    TRY(csg_add_node(node, &r->build, CSG_ALL, part, 2 * d));
+    TRY(csg_add_node(node, r, CSG_ALL, part, 2 * d));
     csg_bound_corners(r, low, high);
     return GRAZE_OK;
 }
@@ -245,17 +242,17 @@ graze_status csg_read_ellipsoid(size_t *node, csg_reader *r, const json *value) 
     const json *member[2];
     HELD(placed, p);
     TRY(csg_read_members(member, r, value, names, 2, 1));
-    TRY(json_array(r->build.context, member[0], (size_t)r->dimension));
+    TRY(json_array(r->context, member[0], (size_t)r->dimension));
     if (member[1])
         TRY(csg_read_vector(p.point, r, member[1], (size_t)r->dimension));
     for (const json *item = member[0]->first; item; item = item->next)
         TRY(read_size(p.axis + item->index, r, item));
     set_from(r, p.point);
-    fmpq_mpoly_set_si(&r->f, -1, r->build.ring);
+    fmpq_mpoly_set_si(r->f, -1, r->ring);
     for (int i = 0; i < r->dimension; i++) {
-        fmpq_mpoly_scalar_div_fmpq(&r->term, &r->from[i], p.axis + i, r->build.ring);
-        fmpq_mpoly_mul(&r->term, &r->term, &r->term, r->build.ring);
-        fmpq_mpoly_add(&r->f, &r->f, &r->term, r->build.ring);
+        fmpq_mpoly_scalar_div_fmpq(r->term, &r->from[i], p.axis + i, r->ring);
+        fmpq_mpoly_mul(r->term, r->term, r->term, r->ring);
+        fmpq_mpoly_add(r->f, r->f, r->term, r->ring);
     }
     bound_about(r, &p);
     return csg_add_side(node, r, 0);
@@ -284,7 +281,7 @@ graze_status csg_read_cone(size_t *node, csg_reader *r, const json *value) {
     HELD(placed, p);
     TRY(read_between(&p, r, value, "slope"));
     if (fmpq_sgn(p.from) < 0 || (p.has_to && fmpq_cmp(p.from, p.to) >= 0))
-        return json_fail(r->build.context, GRAZE_EILLEGAL, value, "expected 0 <= from < to");
+        return json_fail(r->context, GRAZE_EILLEGAL, value, "expected 0 <= from < to");
     p.has_from = 1;
     bound_between(r, &p, 1);
     fmpq_mul(p.second, p.first, p.first);
@@ -296,7 +293,6 @@ graze_status csg_read_cone(size_t *node, csg_reader *r, const json *value) {
 
 /* Set f = |a|^2 (|y|^2 + R^2 - r^2)^2 - 4 R^2 (|a|^2 |y|^2 - (a . y)^2), and enlarge the box. */
 static void set_torus(csg_reader *r, placed *p) {
-    const fmpq_mpoly_ctx_struct *ring = r->build.ring;
     fmpq_mul(p->from, p->first, p->first);
     csg_bound_round(r, p->point, p->axis, p->second, p->from);
     fmpq_set_si(p->to, 4, 1);
@@ -305,11 +301,11 @@ static void set_torus(csg_reader *r, placed *p) {
     fmpq_one(p->first);
     fmpq_zero(p->second);
     set_about_axis(r, p, p->first, p->second);
-    fmpq_mpoly_scalar_mul_fmpq(&r->f, &r->f, p->to, ring);
-    fmpq_mpoly_add_fmpq(&r->square, &r->square, p->from, ring);
-    fmpq_mpoly_mul(&r->term, &r->square, &r->square, ring);
-    fmpq_mpoly_scalar_mul_fmpq(&r->term, &r->term, p->length2, ring);
-    fmpq_mpoly_sub(&r->f, &r->term, &r->f, ring);
+    fmpq_mpoly_scalar_mul_fmpq(r->f, r->f, p->to, r->ring);
+    fmpq_mpoly_add_fmpq(r->square, r->square, p->from, r->ring);
+    fmpq_mpoly_mul(r->term, r->square, r->square, r->ring);
+    fmpq_mpoly_scalar_mul_fmpq(r->term, r->term, p->length2, r->ring);
+    fmpq_mpoly_sub(r->f, r->term, r->f, r->ring);
 }
 
 graze_status csg_read_torus(size_t *node, csg_reader *r, const json *value) {
@@ -322,7 +318,7 @@ graze_status csg_read_torus(size_t *node, csg_reader *r, const json *value) {
     TRY(read_size(p.first, r, member[2]));
     TRY(read_size(p.second, r, member[3]));
     if (fmpq_cmp(p.second, p.first) >= 0)
-        return json_fail(r->build.context, GRAZE_EILLEGAL, member[3],
+        return json_fail(r->context, GRAZE_EILLEGAL, member[3],
                          "expected less than major: a torus does not meet itself");
     set_torus(r, &p);
     return csg_add_side(node, r, 0);
@@ -342,9 +338,8 @@ graze_status csg_read_capsule(size_t *node, csg_reader *r, const json *value) {
     p.has_from = p.has_to = 1;
     TRY(add_bounded(&part[0], r, &p));
     TRY(add_ball(&part[1], r, &p, p.first));
-    for (int i = 0; i < r->dimension; i++)
-        fmpq_add(p.point + i, p.point + i, p.axis + i);
+    vector_add(p.point, p.point, p.axis, r->dimension);
     set_from(r, p.point);
     TRY(add_ball(&part[2], r, &p, p.first));
-    return csg_add_node(node, &r->build, CSG_ANY, part, 3);
+    return csg_add_node(node, r, CSG_ANY, part, 3);
 }

@@ -25,14 +25,14 @@ static void merge_vertices(mesh *m, const uint32_t *order, uint32_t *first) {
     }
     FREED(unsigned char, used, calloc(n + 1, 1));
     m->report.failed |= !used;
-    for (size_t k = 0; used && k < m->now.corner_count; k++)
-        used[m->now.corner[k]] = 1;
+    for (size_t k = 0; used && k < m->now.of.index_count; k++)
+        used[m->now.of.index[k]] = 1;
     for (uint32_t v = 0; used && v < n; v++)
         if (used[v] && first[v] != v)
             few_add(&merged, "%u with %u", v, first[v]);
     few_report(&merged, m, "merged", "vertices with the first one at their position");
-    for (size_t k = 0; k < m->now.corner_count; k++)
-        m->now.corner[k] = first[m->now.corner[k]];
+    for (size_t k = 0; k < m->now.of.index_count; k++)
+        m->now.of.index[k] = first[m->now.of.index[k]];
 }
 
 graze_status clean_vertices(mesh *m) {
@@ -49,12 +49,13 @@ graze_status clean_vertices(mesh *m) {
 }
 
 /* Has the last facet corners that are not all on one line? */
-static int has_area(const mesh *m, const facets *f) {
-    size_t first = f->start[f->count - 1], end = f->start[f->count], second = first;
-    while (second < end && f->corner[second] == f->corner[first])
+static int has_area(const mesh *m, const soup *f) {
+    size_t first = f->cycle_start[f->cycle_count - 1], end = f->cycle_start[f->cycle_count],
+           second = first;
+    while (second < end && f->index[second] == f->index[first])
         second++;
     for (size_t k = second + 1; k < end; k++)
-        if (!mesh_collinear(m, f->corner[first], f->corner[second], f->corner[k]))
+        if (!mesh_collinear(m, f->index[first], f->index[second], f->index[k]))
             return 1;
     return 0;
 }
@@ -62,12 +63,12 @@ static int has_area(const mesh *m, const facets *f) {
 /* Copy a facet, keeping the last one of corners that repeat each other, as a reader does, so that a
  * fan begins at the same corner. */
 static graze_status copy_facet(facets *to, const mesh *m, size_t facet, int *repeated) {
-    const facets *f = &m->now;
-    TRY(facets_begin(to, m->context, f->origin[facet]));
-    for (size_t k = f->start[facet]; k < f->start[facet + 1]; k++) {
-        size_t next = k + 1 < f->start[facet + 1] ? k + 1 : f->start[facet];
-        if (f->corner[k] != f->corner[next])
-            TRY(facets_corner(to, m->context, f->corner[k]));
+    const soup *f = &m->now.of;
+    TRY(facets_begin(to, m->context, m->now.origin.item[facet]));
+    for (size_t k = f->cycle_start[facet]; k < f->cycle_start[facet + 1]; k++) {
+        size_t next = k + 1 < f->cycle_start[facet + 1] ? k + 1 : f->cycle_start[facet];
+        if (f->index[k] != f->index[next])
+            TRY(soup_add_index(&to->of, m->context, f->index[k]));
         else
             *repeated = 1;
     }
@@ -75,27 +76,26 @@ static graze_status copy_facet(facets *to, const mesh *m, size_t facet, int *rep
 }
 
 graze_status clean_facets(mesh *m) {
-    facets made = {.count = 0};
+    facets made = {.origin = {0}};
     few flat = {0, {NULL, 0, 0, 0}}, repeats = {0, {NULL, 0, 0, 0}};
     graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < m->now.count && !status; k++) {
+    for (size_t k = 0; k < m->now.of.cycle_count && !status; k++) {
         int repeated = 0;
         status = copy_facet(&made, m, k, &repeated);
         if (!status && k % 4096 == 0)
             status = context_poll(m->context);
-        if (status || has_area(m, &made)) {
+        if (status || has_area(m, &made.of)) {
             if (repeated)
-                few_add(&repeats, "%zu", m->now.origin[k]);
+                few_add(&repeats, "%zu", m->now.origin.item[k]);
             continue;
         }
         facets_drop_last(&made);
-        few_add(&flat, "%zu", m->now.origin[k]);
+        few_add(&flat, "%zu", m->now.origin.item[k]);
     }
     few_report(&repeats, m, "took repeated corners out of", "facets");
     few_report(&flat, m, "dropped", "facets without area");
-    if (status)
-        facets_clear(&made);
-    else
+    if (!status)
         mesh_replace(m, &made);
+    facets_clear(&made);
     return status;
 }

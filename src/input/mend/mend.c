@@ -11,7 +11,7 @@
 /* Make a solid of the mesh as it is now. */
 static graze_status try_mesh(graze_solid **out, const mesh *m, unsigned flags) {
     soup input;
-    if (!m->now.count)
+    if (!m->now.of.cycle_count)
         return context_fail(m->context, GRAZE_EILLEGAL,
                             "no facet has an area; expected a closed boundary");
     TRY(mesh_soup(&input, m, NULL, 0, NULL));
@@ -25,7 +25,7 @@ static graze_status mend_mesh(graze_solid **out, mesh *m, unsigned flags, const 
     TRY(clean_facets(m));
     TRY(split_edges(m));
     graze_status status = try_mesh(out, m, flags);
-    if (status != GRAZE_EILLEGAL || !m->now.count)
+    if (status != GRAZE_EILLEGAL || !m->now.of.cycle_count)
         return status;
     if (!weld)
         TRY(weld_advise(m));

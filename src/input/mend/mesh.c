@@ -14,38 +14,26 @@
 enum { FEW = 8 };
 
 graze_status facets_begin(facets *f, graze_context *context, size_t origin) {
-    TRY(array_grow(context, &f->start, &f->start_capacity, f->count + 2, sizeof *f->start,
-                   "a solid"));
-    TRY(array_grow(context, &f->origin, &f->origin_capacity, f->count + 1, sizeof *f->origin,
-                   "a solid"));
-    f->origin[f->count] = origin;
-    f->start[f->count++] = f->corner_count;
-    f->start[f->count] = f->corner_count;
-    return GRAZE_OK;
-}
-
-graze_status facets_corner(facets *f, graze_context *context, uint32_t vertex) {
-    TRY(array_grow(context, &f->corner, &f->corner_capacity, f->corner_count + 1, sizeof *f->corner,
-                   "a solid"));
-    f->corner[f->corner_count++] = vertex;
-    f->start[f->count] = f->corner_count;
-    return GRAZE_OK;
+    TRY(numbers_add(&f->origin, context, origin, "a solid"));
+    TRY(soup_add_facet(&f->of, context));
+    return soup_add_cycle(&f->of, context, NULL, 0);
 }
 
 void facets_drop_last(facets *f) {
-    f->corner_count = f->start[--f->count];
+    f->origin.count--;
+    f->of.facet_count--;
+    f->of.index_count = f->of.cycle_start[--f->of.cycle_count];
 }
 
 void facets_clear(facets *f) {
-    free(f->corner);
-    free(f->start);
-    free(f->origin);
-    memset(f, 0, sizeof *f);
+    soup_clear(&f->of);
+    numbers_clear(&f->origin);
 }
 
 void mesh_replace(mesh *m, facets *f) {
-    facets_clear(&m->now);
+    facets before = m->now;
     m->now = *f;
+    *f = before;
 }
 
 graze_status mesh_init(mesh *m, graze_context *context, const soup *input) {
@@ -55,7 +43,7 @@ graze_status mesh_init(mesh *m, graze_context *context, const soup *input) {
         size_t cycle = input->facet_start[f];
         TRY(facets_begin(&m->now, context, f));
         for (size_t k = input->cycle_start[cycle]; k < input->cycle_start[cycle + 1]; k++)
-            TRY(facets_corner(&m->now, context, input->index[k]));
+            TRY(soup_add_index(&m->now.of, context, input->index[k]));
     }
     return GRAZE_OK;
 }
@@ -83,15 +71,15 @@ static int order_of_sides(const void *a, const void *b) {
 }
 
 graze_status mesh_sides(mesh_side **out, size_t *count, const mesh *m) {
-    const facets *f = &m->now;
+    const soup *f = &m->now.of;
     *count = 0;
-    *out = malloc((f->corner_count + 1) * sizeof **out);
+    *out = malloc((f->index_count + 1) * sizeof **out);
     if (!*out)
         return context_fail(m->context, GRAZE_ESYSTEM, "out of memory for the sides of facets");
-    for (size_t k = 0; k < f->count; k++)
-        for (size_t c = f->start[k]; c < f->start[k + 1]; c++) {
-            uint32_t from = f->corner[c];
-            uint32_t to = f->corner[c + 1 < f->start[k + 1] ? c + 1 : f->start[k]];
+    for (size_t k = 0; k < f->cycle_count; k++)
+        for (size_t c = f->cycle_start[k]; c < f->cycle_start[k + 1]; c++) {
+            uint32_t from = f->index[c];
+            uint32_t to = f->index[c + 1 < f->cycle_start[k + 1] ? c + 1 : f->cycle_start[k]];
             (*out)[(*count)++] =
                 (mesh_side){from < to ? from : to, from < to ? to : from, k, c, from < to};
         }
@@ -116,12 +104,12 @@ static graze_status number_vertex(soup *out, const mesh *m, uint32_t *number, ui
 
 static graze_status add_soup_facet(soup *out, const mesh *m, uint32_t *number, size_t facet,
                                    int turned) {
-    const facets *f = &m->now;
-    size_t first = f->start[facet], end = f->start[facet + 1];
+    const soup *f = &m->now.of;
+    size_t first = f->cycle_start[facet], end = f->cycle_start[facet + 1];
     TRY(soup_add_facet(out, m->context));
     TRY(soup_add_cycle(out, m->context, NULL, 0));
     for (size_t k = first; k < end; k++) {
-        uint32_t vertex = f->corner[turned ? end - 1 - (k - first) : k];
+        uint32_t vertex = f->index[turned ? end - 1 - (k - first) : k];
         TRY(number_vertex(out, m, number, vertex));
         TRY(soup_add_index(out, m->context, number[vertex]));
     }
@@ -131,16 +119,15 @@ static graze_status add_soup_facet(soup *out, const mesh *m, uint32_t *number, s
 graze_status mesh_soup(soup *out, const mesh *m, const size_t *component, size_t wanted,
                        const unsigned char *turned) {
     size_t n = m->input->vertex_count;
-    uint32_t *number = malloc((n + 1) * sizeof *number);
+    FREED(uint32_t, number, malloc((n + 1) * sizeof *number));
     graze_status status = GRAZE_OK;
     soup_init(out, 3);
     if (!number)
         return context_fail(m->context, GRAZE_ESYSTEM, "out of memory for %zu vertices", n);
     memset(number, 0xff, (n + 1) * sizeof *number);
-    for (size_t f = 0; f < m->now.count && !status; f++)
+    for (size_t f = 0; f < m->now.of.cycle_count && !status; f++)
         if (!component || component[f] == wanted)
             status = add_soup_facet(out, m, number, f, turned && turned[f]);
-    free(number);
     if (status)
         soup_clear(out);
     return status;

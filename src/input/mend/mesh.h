@@ -3,20 +3,18 @@
 #ifndef GRAZE_INPUT_MEND_MESH_H
 #define GRAZE_INPUT_MEND_MESH_H
 
+#include "base/context/array.h"
 #include "base/number/text.h"
 #include "input/mend/mend.h"
 #include "input/soup/soup.h"
 
 /* A mesh that is being mended: the facets of a soup, which change, and its vertices, which stay. */
 
-/** Facets, each one cycle of vertices. All members are zero at first, without facets. */
+/** Facets without their vertices, each one cycle, and of each its number in the input. All members
+ * are zero at first. */
 typedef struct facets {
-    uint32_t *corner; /* of all facets */
-    size_t corner_count, corner_capacity;
-    size_t *start; /* count + 1 offsets into corner; NULL while there is none */
-    size_t count, start_capacity;
-    size_t *origin; /* by facet: its number in the input */
-    size_t origin_capacity;
+    soup of;
+    numbers origin;
 } facets;
 
 typedef struct mesh {
@@ -33,12 +31,10 @@ void mesh_clear(mesh *m);
 
 /** Add an empty facet behind the others. */
 graze_status facets_begin(facets *f, graze_context *context, size_t origin);
-/** Add a corner to the last facet. */
-graze_status facets_corner(facets *f, graze_context *context, uint32_t vertex);
 /** Take the last facet away. */
 void facets_drop_last(facets *f);
 void facets_clear(facets *f);
-/** Free the mesh's facets and take over `f` instead. */
+/** Exchange the mesh's facets with others. */
 void mesh_replace(mesh *m, facets *f);
 
 /** Three coordinates of a vertex. */

@@ -74,8 +74,8 @@ static graze_status find_shells(orienter *o) {
             return context_fail(o->m->context, GRAZE_EILLEGAL,
                                 "facets %zu and %zu, which share edge %u-%u, belong to a surface "
                                 "with one side only; expected one that can be oriented",
-                                o->m->now.origin[side[first].facet],
-                                o->m->now.origin[side[first + 1].facet], side[first].low,
+                                o->m->now.origin.item[side[first].facet],
+                                o->m->now.origin.item[side[first + 1].facet], side[first].low,
                                 side[first].high);
     }
     return GRAZE_OK;
@@ -83,18 +83,18 @@ static graze_status find_shells(orienter *o) {
 
 /* Number the shells by their first facets. */
 static void number_shells(orienter *o) {
-    for (size_t f = 0; f < o->m->now.count; f++) {
+    for (size_t f = 0; f < o->m->now.of.cycle_count; f++) {
         unsigned char against;
         size_t root = root_of_part(o, f, &against);
         o->turned[f] = against;
         o->shell[f] = root; /* paths through f keep their root and their sense */
     }
-    for (size_t f = 0; f < o->m->now.count; f++)
+    for (size_t f = 0; f < o->m->now.of.cycle_count; f++)
         o->shell[f] = o->shell[f] == f ? o->shell_count++ : o->shell[o->shell[f]];
 }
 
 static void turn_shell(orienter *o, size_t shell) {
-    for (size_t f = 0; f < o->m->now.count; f++)
+    for (size_t f = 0; f < o->m->now.of.cycle_count; f++)
         if (o->shell[f] == shell)
             o->turned[f] ^= 1;
 }
@@ -121,21 +121,12 @@ static graze_status make_shell(orienter *o, size_t shell) {
 static int is_within_part(const graze_solid *shell, const graze_solid *other) {
     graze_state state = GRAZE_STATE_B;
     LOCAL_VEC(fmpz, x, 4);
-    LOCAL_VEC(fmpq, sum, 3);
     size_t vertices = shell->input.vertex_count, points = vertices + shell->cut.count;
     for (size_t k = 0; k < points && state == GRAZE_STATE_B; k++) {
-        const fmpq *at = shell->input.coordinates;
-        for (int i = 0; i < 3; i++) {
-            fmpq_zero(sum + i);
-            for (int c = 0; k >= vertices && c < 3; c++)
-                fmpq_add(sum + i, sum + i,
-                         at + 3 * (size_t)shell->cut.item[k - vertices].vertex[c] + i);
-            if (k >= vertices)
-                fmpq_div_fmpz(sum + i, sum + i, (fmpz[1]){3});
-            else
-                fmpq_set(sum + i, at + 3 * k + (size_t)i);
-        }
-        _fmpq_vec_get_fmpz_vec_fmpz(x, x + 3, sum, 3);
+        if (k < vertices)
+            _fmpq_vec_get_fmpz_vec_fmpz(x, x + 3, shell->input.coordinates + 3 * k, 3);
+        else
+            solid_point_within(x, shell, k - vertices, 1);
         state = solid_locate(other, x);
     }
     return state == GRAZE_STATE_I;
@@ -160,16 +151,17 @@ static graze_status turn_cavities(orienter *o) {
 }
 
 static void apply_turns(orienter *o) {
-    facets *f = &o->m->now;
+    soup *f = &o->m->now.of;
     few turned = {0, {NULL, 0, 0, 0}};
-    for (size_t k = 0; k < f->count; k++) {
+    for (size_t k = 0; k < f->cycle_count; k++) {
         if (!o->turned[k])
             continue;
-        few_add(&turned, "%zu", f->origin[k]);
-        for (size_t low = f->start[k], high = f->start[k + 1] - 1; low < high; low++, high--) {
-            uint32_t swap = f->corner[low];
-            f->corner[low] = f->corner[high];
-            f->corner[high] = swap;
+        few_add(&turned, "%zu", o->m->now.origin.item[k]);
+        for (size_t low = f->cycle_start[k], high = f->cycle_start[k + 1] - 1; low < high;
+             low++, high--) {
+            uint32_t swap = f->index[low];
+            f->index[low] = f->index[high];
+            f->index[high] = swap;
         }
     }
     few_report(&turned, o->m, "turned", "facets round");
@@ -200,7 +192,7 @@ static graze_status orient_shells(orienter *o) {
 }
 
 graze_status orient_facets(mesh *m, unsigned flags) {
-    size_t n = m->now.count;
+    size_t n = m->now.of.cycle_count;
     FREED(size_t, shell, malloc((n + 1) * sizeof *shell));
     FREED(unsigned char, turned, calloc(n + 1, 1));
     orienter o = {.m = m, .flags = flags, .shell = shell, .turned = turned};

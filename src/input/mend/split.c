@@ -134,28 +134,24 @@ static int order_of_insertions(const void *a, const void *b, void *data) {
         return x->corner < y->corner ? -1 : 1;
     if (x->vertex == y->vertex)
         return 0;
-    return is_nearer(m, m->now.corner[x->corner], x->vertex, y->vertex) ? -1 : 1;
+    return is_nearer(m, m->now.of.index[x->corner], x->vertex, y->vertex) ? -1 : 1;
 }
 
 static graze_status insert_vertices(splitter *s) {
     mesh *m = s->m;
-    facets made = {.count = 0};
-    graze_status status = GRAZE_OK;
+    ZEROED(facets, made);
     size_t next = 0;
     qsort_r(s->made, s->made_count, sizeof *s->made, order_of_insertions, m);
-    for (size_t f = 0; f < m->now.count && !status; f++) {
-        status = facets_begin(&made, m->context, m->now.origin[f]);
-        for (size_t c = m->now.start[f]; c < m->now.start[f + 1] && !status; c++) {
-            status = facets_corner(&made, m->context, m->now.corner[c]);
-            for (; !status && next < s->made_count && s->made[next].corner == c; next++)
-                status = facets_corner(&made, m->context, s->made[next].vertex);
+    for (size_t f = 0; f < m->now.of.cycle_count; f++) {
+        TRY(facets_begin(&made, m->context, m->now.origin.item[f]));
+        for (size_t c = m->now.of.cycle_start[f]; c < m->now.of.cycle_start[f + 1]; c++) {
+            TRY(soup_add_index(&made.of, m->context, m->now.of.index[c]));
+            for (; next < s->made_count && s->made[next].corner == c; next++)
+                TRY(soup_add_index(&made.of, m->context, s->made[next].vertex));
         }
     }
-    if (status)
-        facets_clear(&made);
-    else
-        mesh_replace(m, &made);
-    return status;
+    mesh_replace(m, &made);
+    return GRAZE_OK;
 }
 
 graze_status split_edges(mesh *m) {

@@ -134,15 +134,15 @@ graze_status weld_vertices(mesh *m, const fmpq_t distance) {
     welder w;
     size_t n = m->input->vertex_count;
     graze_status status = welder_init(&w, m, distance);
-    for (size_t k = 0; k < m->now.corner_count && !status; k++)
-        w.used[m->now.corner[k]] = 1;
+    for (size_t k = 0; k < m->now.of.index_count && !status; k++)
+        w.used[m->now.of.index[k]] = 1;
     for (uint32_t v = 0; v < n && !status; v++) {
         status = v % 1024 ? GRAZE_OK : context_poll(m->context);
         if (!status && w.used[v])
             status = weld_vertex(&w, v);
     }
-    for (size_t k = 0; k < m->now.corner_count && !status; k++)
-        m->now.corner[k] = w.to[m->now.corner[k]];
+    for (size_t k = 0; k < m->now.of.index_count && !status; k++)
+        m->now.of.index[k] = w.to[m->now.of.index[k]];
     report_welded(&w);
     welder_clear(&w);
     return status;

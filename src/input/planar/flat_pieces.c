@@ -19,7 +19,7 @@ enum { CUT_WORK = 8 };
 
 /* A place in which a line is cut, and the plane that cuts it there. */
 typedef struct cut {
-    fmpq at;
+    fmpq *at;
     size_t plane;
     int rises; /* the sign of the plane's form behind the place */
 } cut;
@@ -34,7 +34,8 @@ typedef struct edge_line {
     fmpq *from, *to;   /* the line's part in the box */
     size_t *through;   /* planes that hold the line */
     size_t through_count;
-    cut *cut; /* sorted */
+    fmpq *places; /* of cuts, as they are found */
+    cut *cut;     /* sorted */
     size_t cuts, cut_room;
     int stored; /* the line stands in flat_walk.lines */
 } edge_line;
@@ -205,7 +206,7 @@ static int is_idle(edge_line *e, size_t a, size_t b) {
 
 static int cut_order(const void *left, const void *right) {
     const cut *a = left, *b = right;
-    int order = fmpq_cmp(&a->at, &b->at);
+    int order = fmpq_cmp(a->at, b->at);
     return order ? order : a->plane < b->plane ? -1 : a->plane > b->plane;
 }
 
@@ -216,13 +217,14 @@ static void take_plane(edge_line *e, size_t plane) {
     _fmpz_vec_dot(slope, form, e->line, 3);
     _fmpz_vec_dot(level, form, e->foot, 4);
     if (!fmpz_is_zero(slope)) {
-        cut *next = &e->cut[e->cuts++];
+        cut *next = &e->cut[e->cuts];
         fmpz_neg(level, level);
-        fmpq_set_fmpz_frac(&next->at, level, slope);
+        next->at = e->places + e->cuts++;
+        fmpq_set_fmpz_frac(next->at, level, slope);
         next->plane = plane;
         next->rises = fmpz_sgn(slope);
         e->w->sign[plane] =
-            (signed char)(fmpq_cmp(&next->at, e->from) <= 0 ? next->rises : -next->rises);
+            (signed char)(fmpq_cmp(next->at, e->from) <= 0 ? next->rises : -next->rises);
     } else if (fmpz_is_zero(level))
         e->through[e->through_count++] = plane;
     else
@@ -303,9 +305,9 @@ static graze_status walk_intervals(edge_line *e) {
     qsort(e->cut, e->cuts, sizeof *e->cut, cut_order);
     for (size_t k = 0; k <= e->cuts; k++) {
         const cut *c = k < e->cuts ? &e->cut[k] : NULL;
-        if (c && fmpq_cmp(&c->at, e->from) <= 0)
+        if (c && fmpq_cmp(c->at, e->from) <= 0)
             continue;
-        const fmpq *to = !c || fmpq_cmp(&c->at, e->to) >= 0 ? e->to : &c->at;
+        const fmpq *to = !c || fmpq_cmp(c->at, e->to) >= 0 ? e->to : c->at;
         if (fmpq_cmp(from, to) < 0)
             TRY(add_interval(e, from, to));
         if (to == e->to)
@@ -355,6 +357,7 @@ graze_status flat_pieces_find(flat_walk *w, const flat_live *live, const double 
                               const double *high) {
     LOCAL_VEC(fmpz, v, LINE_FORM + 8);
     LOCAL_VEC(fmpq, ends, 2);
+    LOCAL_VEC(fmpq, places, (slong)live->planes);
     if (live->planes + 1 < (size_t)w->dimension)
         return GRAZE_OK;
     FREED(size_t, through, malloc((live->planes + 1) * sizeof *through));
@@ -362,8 +365,6 @@ graze_status flat_pieces_find(flat_walk *w, const flat_live *live, const double 
     if (!through || !cuts)
         return context_fail(w->context, GRAZE_ESYSTEM, "out of memory for %zu planes",
                             live->planes);
-    for (size_t k = 0; k < live->planes; k++)
-        fmpq_init(&cuts[k].at);
     edge_line e = {.w = w,
                    .live = live,
                    .low = low,
@@ -374,9 +375,7 @@ graze_status flat_pieces_find(flat_walk *w, const flat_live *live, const double 
                    .from = ends,
                    .to = ends + 1,
                    .through = through,
+                   .places = places,
                    .cut = cuts};
-    graze_status status = try_lines(&e);
-    for (size_t k = 0; k < live->planes; k++)
-        fmpq_clear(&cuts[k].at);
-    return status;
+    return try_lines(&e);
 }

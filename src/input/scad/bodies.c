@@ -41,63 +41,54 @@ static graze_status write_sphere(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
-/* Write a cylinder, or a cone whose apex is above if its first radius is greater. `low` is the
- * height of the bottom. */
-static void put_cylinder(scad_writer *w, const scad_place *p, const fmpq *height, const fmpq *low,
-                         const fmpq *radius) {
+/* Write a cylinder, or a cone whose apex is above if its first radius is greater. `ring` has
+ * radius and height of the bottom and of the top. */
+static void put_cylinder(scad_writer *w, const scad_place *p, const fmpq *height,
+                         const fmpq *ring) {
     LOCAL_VEC(fmpq, v, 5);
     fmpq *point = v, *slope = v + 1, *axis = v + 2, *end = v + 3;
-    int order = fmpq_cmp(radius, radius + 1), up = order > 0;
+    int order = fmpq_cmp(ring, ring + 2), up = order > 0;
     fmpq_set_si(axis, up ? -1 : 1, 1);
-    fmpq_set(point, low);
+    fmpq_set(point, ring + 1);
     fmpq_set(end + 1, height);
     if (order != 0) {
         /* The apex is where the radius, which falls by `slope`, is 0. */
-        fmpq_sub(slope, radius, radius + 1);
+        fmpq_sub(slope, ring, ring + 2);
         fmpq_div(slope, slope, height);
-        fmpq_div(end, radius, slope);
-        fmpq_add(point, low, end);
+        fmpq_div(end, ring, slope);
+        fmpq_add(point, point, end);
         fmpq_abs(slope, slope);
-        fmpq_div(end, radius, slope);
-        fmpq_div(end + 1, radius + 1, slope);
+        fmpq_div(end, ring, slope);
+        fmpq_div(end + 1, ring + 2, slope);
     }
     scad_open(w, p, order ? "cone" : "cylinder", '{');
     json_form(json_begin(&w->json, "point"), "[\"0\",\"0\",%],\"axis\":[\"0\",\"0\",%]", point,
               axis);
-    json_rational(&w->json, order ? "slope" : "radius", order ? slope : radius);
+    json_rational(&w->json, order ? "slope" : "radius", order ? slope : ring);
     json_rational(&w->json, "from", end + up);
     json_rational(&w->json, "to", end + 1 - up);
     scad_end(w, p);
 }
 
-static void put_sided_cylinder(scad_writer *w, const scad_place *p, const fmpq *height,
-                               const fmpq *low, const fmpq *radius, size_t sides) {
-    LOCAL_VEC(fmpq, ring, 4);
-    fmpq_set(ring, radius);
-    fmpq_set(ring + 1, low);
-    fmpq_set(ring + 2, radius + 1);
-    fmpq_add(ring + 3, low, height);
-    scad_put_rings(w, p, ring, 2, sides);
-}
-
 static graze_status write_cylinder(scad_writer *w, const scad_place *p) {
-    LOCAL_VEC(fmpq, v, 4);
-    fmpq *height = v, *low = v + 1, *radius = v + 2;
+    LOCAL_VEC(fmpq, ring, 5);
+    fmpq *height = ring + 4, *low = ring + 1;
     TRY(scad_known(p, "h r1 r2 center"));
     size_t sides;
     TRY(scad_sides(&sides, w, p));
     TRY(scad_size(height, p, "h"));
-    TRY(scad_named_number(radius, p, "r1"));
-    TRY(scad_named_number(radius + 1, p, "r2"));
-    const fmpq *most = fmpq_cmp(radius, radius + 1) < 0 ? radius + 1 : radius;
+    TRY(scad_named_number(ring, p, "r1"));
+    TRY(scad_named_number(ring + 2, p, "r2"));
+    const fmpq *most = fmpq_cmp(ring, ring + 2) < 0 ? ring + 2 : ring;
     fmpq_add(w->reach, height, most);
     if (scad_flag(p, "center"))
         fmpq_div_2exp(low, height, 1);
     fmpq_neg(low, low);
+    fmpq_add(ring + 3, low, height);
     if (sides > 0)
-        put_sided_cylinder(w, p, height, low, radius, sides);
+        scad_put_rings(w, p, ring, 2, sides);
     else
-        put_cylinder(w, p, height, low, radius);
+        put_cylinder(w, p, height, ring);
     return GRAZE_OK;
 }
 

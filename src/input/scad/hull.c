@@ -18,6 +18,12 @@ void hull_points_clear(hull_points *p) {
     *p = (hull_points){.count = 0};
 }
 
+void hull_points_swap(hull_points *a, hull_points *b) {
+    hull_points held = *a;
+    *a = *b;
+    *b = held;
+}
+
 void hull_faces_clear(hull_faces *f) {
     free(f->item);
 }
@@ -38,13 +44,11 @@ static int hull_point_order(const void *left, const void *right) {
 /* Keep the points with these numbers, in their order. */
 static graze_status keep_points(hull_points *p, graze_context *context, const size_t *number,
                                 size_t count) {
-    hull_points kept = {.count = 0};
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < count && !status; k++)
-        status = hull_add_point(&kept, context, p->at + 3 * number[k], "the points of a hull");
-    hull_points_clear(p);
-    *p = kept;
-    return status;
+    ZEROED(hull_points, kept);
+    for (size_t k = 0; k < count; k++)
+        TRY(hull_add_point(&kept, context, p->at + 3 * number[k], "the points of a hull"));
+    hull_points_swap(p, &kept);
+    return GRAZE_OK;
 }
 
 graze_status hull_of_plane(hull_points *p, graze_context *context) {

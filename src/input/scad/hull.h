@@ -21,6 +21,7 @@ typedef struct hull_points {
 } hull_points;
 
 void hull_points_clear(hull_points *p);
+void hull_points_swap(hull_points *a, hull_points *b);
 
 /** Append a point; `what` names the points where memory is short. */
 graze_status hull_add_point(hull_points *p, graze_context *context, const fmpq *x,

@@ -26,8 +26,7 @@ static int is_convex(const soup *s) {
                 first = a;
             } else {
                 vector_cross(n + 3, a, b);
-                for (int i = 0; i < 3; i++)
-                    fmpq_add(n + i, n + i, n + 3 + i);
+                vector_add(n, n, n + 3, 3);
             }
             for (size_t v = 0; v < s->vertex_count && (d == 2 || k + 1 == count); v++) {
                 _fmpq_vec_dot(n + 6, n, first, d);
@@ -44,8 +43,7 @@ static int is_convex(const soup *s) {
 static graze_status add_mesh_points(hull_points *out, graze_context *context, const soup *s) {
     LOCAL_VEC(fmpq, x, 3);
     for (size_t v = 0; v < s->vertex_count; v++) {
-        for (int i = 0; i < s->dimension; i++)
-            fmpq_set(x + i, s->coordinates + v * (size_t)s->dimension + i);
+        vector_set(x, s->coordinates + v * (size_t)s->dimension, s->dimension);
         TRY(hull_add_point(out, context, x, "the points of a hull"));
     }
     return GRAZE_OK;
@@ -55,27 +53,22 @@ static graze_status add_mesh_points(hull_points *out, graze_context *context, co
 static graze_status part_points(hull_points *out, scad_writer *w, const scad_place *p, size_t part,
                                 int convex) {
     HELD(text, t);
-    csg solid;
-    soup mesh;
+    ZEROED(csg, solid);
+    HELD(soup, mesh, 3);
     csg_form form = CSG_CURVED;
     TRY(w->part(&t, w, part));
     if (t.failed)
         return context_fail(w->context, GRAZE_ESYSTEM, "out of memory for a solid");
     TRY(csg_read_text(&solid, w->context, w->file->source, t.data, t.length));
-    soup_init(&mesh, solid.dimension);
-    graze_status status = flat_surfaces(&solid) ? planar_soup(&mesh, &form, w->context, &solid)
-                                                : scad_fail(p, GRAZE_EINPUT,
-                                                            "only flat parts are taken; expected "
-                                                            "cubes, polyhedra, squares and "
-                                                            "polygons in it");
-    if (!status && convex && !is_convex(&mesh))
-        status = scad_fail(p, GRAZE_EINPUT,
-                           "only convex parts are taken; expected none with a notch or a hole");
-    if (!status)
-        status = add_mesh_points(out, w->context, &mesh);
-    soup_clear(&mesh);
-    csg_clear(&solid);
-    return status;
+    if (!flat_surfaces(&solid))
+        return scad_fail(p, GRAZE_EINPUT,
+                         "only flat parts are taken; expected cubes, polyhedra, squares and "
+                         "polygons in it");
+    TRY(planar_soup(&mesh, &form, w->context, &solid));
+    if (convex && !is_convex(&mesh))
+        return scad_fail(p, GRAZE_EINPUT,
+                         "only convex parts are taken; expected none with a notch or a hole");
+    return add_mesh_points(out, w->context, &mesh);
 }
 
 static graze_status find_hull(hull_points *points, hull_faces *faces, scad_writer *w,
@@ -89,20 +82,16 @@ static graze_status find_hull(hull_points *points, hull_faces *faces, scad_write
 
 /* Replace `sum` by the points that are sums of one of it and one of `part`. */
 static graze_status add_sums(hull_points *sum, graze_context *context, const hull_points *part) {
-    hull_points made = {.count = 0};
-    graze_status status = GRAZE_OK;
+    ZEROED(hull_points, made);
     LOCAL_VEC(fmpq, x, 3);
-    for (size_t k = 0; k < sum->count * part->count && !status; k++) {
-        for (int i = 0; i < 3; i++)
-            fmpq_add(x + i, sum->at + 3 * (k / part->count) + i,
-                     part->at + 3 * (k % part->count) + i);
-        status = hull_add_point(&made, context, x, "the points of a hull");
-        if (!status && made.count > context->limits[GRAZE_LIMIT_CELLS])
-            status = context_limit(context, GRAZE_LIMIT_CELLS, "points of a Minkowski sum");
+    for (size_t k = 0; k < sum->count * part->count; k++) {
+        vector_add(x, sum->at + 3 * (k / part->count), part->at + 3 * (k % part->count), 3);
+        TRY(hull_add_point(&made, context, x, "the points of a hull"));
+        if (made.count > context->limits[GRAZE_LIMIT_CELLS])
+            return context_limit(context, GRAZE_LIMIT_CELLS, "points of a Minkowski sum");
     }
-    hull_points_clear(sum);
-    *sum = made;
-    return status;
+    hull_points_swap(sum, &made);
+    return GRAZE_OK;
 }
 
 graze_status scad_hull(hull_points *points, hull_faces *faces, scad_writer *w,

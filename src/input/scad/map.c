@@ -51,8 +51,7 @@ graze_status scad_map_read(scad_map *out, scad_writer *w, const scad_place *p, i
         return scad_fail(p, GRAZE_EINPUT, "expected 4 rows of 4 numbers, the last one 0, 0, 0, 1");
     for (int i = 0; i < 3; i++) {
         fmpq_set(out->shift + i, v + 4 * i + 3);
-        for (int j = 0; j < 3; j++)
-            fmpq_set(out->linear + 3 * i + j, v + 4 * i + j);
+        vector_set(out->linear + 3 * i, v + 4 * i, 3);
     }
     if (p->file->node[p->node].dimension == 2)
         flatten(out);

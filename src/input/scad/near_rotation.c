@@ -12,27 +12,11 @@
 /* Binary places of a quaternion, at most. */
 enum { QUATERNION_BITS = 52 };
 
-/* Set `square` to the mean of the squared lengths of the rows; 1 if the matrix is a rotation or
- * reflection times the root of `square`. */
-static int is_similar(fmpq_t square, const fmpq *matrix) {
-    LOCAL_VEC(fmpq, v, 2);
-    int similar = 1;
-    _fmpq_vec_dot(square, matrix, matrix, 9);
-    fmpq_set_si(v + 1, 3, 1);
-    fmpq_div(square, square, v + 1);
-    for (int i = 0; i < 3; i++)
-        for (int j = i; j < 3; j++) {
-            _fmpq_vec_dot(v, matrix + 3 * i, matrix + 3 * j, 3);
-            similar = similar && (i == j ? fmpq_equal(v, square) : fmpq_is_zero(v));
-        }
-    return similar;
-}
-
 void scad_norm(fmpq_t out, const fmpq *matrix) {
     LOCAL_VEC(fmpq, square, 2);
     fmpq *three = square + 1;
     fmpq_set_si(three, 3, 1);
-    if (!is_similar(square, matrix))
+    if (!csg_similar(square, matrix, 3, 3))
         fmpq_mul(square, square, three);
     csg_upper_root(out, square);
 }
@@ -88,7 +72,7 @@ int scad_turn(fmpq *matrix, fmpq_t error, graze_context *context, const fmpq_t t
     LOCAL_VEC(fmpq, v, 20);
     fmpq *scaled = v, *turn = v + 9, *scale = v + 18, *square = v + 19;
     fmpq_zero(error);
-    int found = !is_similar(square, matrix) && !fmpq_is_zero(square);
+    int found = !csg_similar(square, matrix, 3, 3) && !fmpq_is_zero(square);
     if (found) {
         set_scale(scale, square, tolerance);
         for (int k = 0; k < 9; k++)

@@ -163,17 +163,9 @@ static graze_status write_polygon(scad_writer *w, const scad_place *p) {
 
 /* Multiply a circle's radius by the scale of the writer's map, which must keep it a circle. */
 static graze_status map_radius(fmpq_t out, const scad_writer *w, const scad_place *p) {
-    const fmpq *m = w->map;
-    LOCAL_VEC(fmpq, v, 3);
-    for (int i = 0; i < 2; i++) {
-        fmpq_addmul(v, m + 3 * i, m + 3 * i);
-        fmpq_addmul(v + 1, m + 3 * i + 1, m + 3 * i + 1);
-        fmpq_addmul(v + 2, m + 3 * i, m + 3 * i + 1);
-    }
-    int round = fmpq_equal(v, v + 1) && fmpz_is_square(fmpq_numref(v)) &&
-                fmpz_is_square(fmpq_denref(v)) && fmpq_is_zero(v + 2);
-    csg_upper_root(v + 1, v);
-    fmpq_mul(out, out, v + 1);
+    LOCAL(fmpq, scale);
+    int round = csg_scale(scale, w->map, 2, 3);
+    fmpq_mul(out, out, scale);
     return round ? GRAZE_OK
                  : scad_fail(p, GRAZE_EINPUT,
                              "maps make it an ellipse; expected a circle that is revolved");

@@ -12,6 +12,7 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
+#include "base/number/vector.h"
 #include "input/scad/arguments.h"
 #include "input/scad/writer.h"
 
@@ -55,8 +56,7 @@ static void put_map_rows(scad_writer *w, const scad_map *m) {
     LOCAL_VEC(fmpq, row, 4);
     json_open(&w->json, "matrix", '[');
     for (int i = 0; i < d; i++) {
-        for (int j = 0; j < d; j++)
-            fmpq_set(row + j, m->linear + 3 * i + j);
+        vector_set(row, m->linear + 3 * i, d);
         fmpq_set(row + d, m->shift + i);
         if (flat && i == 2)
             fmpq_one(row + 2);
@@ -75,9 +75,8 @@ static graze_status write_mapped(scad_writer *w, const scad_place *p) {
     if (w->form == SCAD_REVOLVED) {
         scad_compose(inner, outer, &m);
         w->map = inner;
-        graze_status status = write_operands(w, p);
+        TRY(write_operands(w, p));
         w->map = outer;
-        TRY(status);
     } else {
         scad_open(w, p, "affine", '{');
         put_map_rows(w, &m);
@@ -118,17 +117,14 @@ static graze_status find_extent(fmpq *out, scad_writer *w, size_t node) {
         scad_compose(inner, outer, &m);
         w->map = inner;
     }
-    graze_status status = GRAZE_OK;
-    for (; !status && (c = operand_after(w->file, node, c)); first = 0) {
-        if (role == SCAD_DIFFERENCE && !first)
-            break;
-        status = find_extent(next, w, c);
+    for (; (first || role != SCAD_DIFFERENCE) && (c = operand_after(w->file, node, c)); first = 0) {
+        TRY(find_extent(next, w, c));
         for (int k = 0; k < 2; k++)
             if (first || (fmpq_cmp(next + k, out + k) < 0) == ((role == SCAD_INTERSECTION) == k))
                 fmpq_set(out + k, next + k);
     }
     w->map = outer;
-    return status;
+    return GRAZE_OK;
 }
 
 /* Set the writer's map to one that brings an outline to the right of the axis; refuse an outline on
@@ -275,9 +271,10 @@ static graze_status write_node(scad_writer *w, size_t node) {
     return context_work(w->context, 16);
 }
 
-/* A writer of a node as a solid, in the frame of another one; v has 10 zeros. */
-static scad_writer begin_writer(text *out, const scad_writer *frame, fmpq *v, size_t node) {
-    scad_writer w = *frame;
+/* As scad_writer.part. Of the writer around it only what is counted changes. */
+static graze_status write_part(text *out, scad_writer *around, size_t node) {
+    LOCAL_VEC(fmpq, v, 10);
+    scad_writer w = *around;
     w.json = (json_writer){.out = out};
     w.line = 1;
     w.key = "solid";
@@ -289,19 +286,8 @@ static scad_writer begin_writer(text *out, const scad_writer *frame, fmpq *v, si
     w.moved = v + 9;
     w.turned = w.round = w.sided = 0;
     reset_map(&w, 1);
-    return w;
-}
-
-static void put_dimension(scad_writer *w) {
-    json_open(&w->json, NULL, '{');
-    json_count(&w->json, "dimension", (unsigned long)w->dimension);
-}
-
-/* As scad_writer.part. The state of the writer around it stays. */
-static graze_status write_part(text *out, scad_writer *around, size_t node) {
-    LOCAL_VEC(fmpq, v, 10);
-    scad_writer w = begin_writer(out, around, v, node);
-    put_dimension(&w);
+    json_open(&w.json, NULL, '{');
+    json_count(&w.json, "dimension", (unsigned long)w.dimension);
     TRY(write_node(&w, node));
     json_close(&w.json, '}');
     fmpq_add(around->moved, around->moved, w.moved);
@@ -318,8 +304,9 @@ static void put_report(text *report, const scad_writer *w) {
                     w->sided, w->file->nothing);
     if (!w->choice->near_rotation)
         return;
-    fmpq_set_si(w->height, 101, 100); /* rounding to three digits takes away at most 0.5 % */
-    fmpq_mul(w->moved, w->moved, w->height);
+    LOCAL(fmpq, factor);
+    fmpq_set_si(factor, 101, 100); /* rounding to three digits takes away at most 0.5 % */
+    fmpq_mul(w->moved, w->moved, factor);
     text_put(report, "maps taken as rotations: ");
     text_count(report, w->turned);
     text_put(report, "; no point moves by more than ");
@@ -331,13 +318,11 @@ graze_status scad_write(text *out, text *report, text *note, graze_context *cont
                         const char *source, const char *bytes, size_t length,
                         const scad_choice *choice) {
     ZEROED(scad, file);
-    LOCAL_VEC(fmpq, v, 10);
+    LOCAL(fmpq, moved);
     TRY(scad_parse(&file, context, source, bytes, length));
-    scad_writer frame = {.file = &file, .context = context, .choice = choice, .part = write_part};
-    scad_writer w = begin_writer(out, &frame, v, file.root);
-    put_dimension(&w);
-    TRY(write_node(&w, file.root));
-    json_close(&w.json, '}');
+    scad_writer w = {
+        .file = &file, .context = context, .choice = choice, .moved = moved, .part = write_part};
+    TRY(write_part(out, &w, file.root));
     text_put(out, "\n");
     put_report(report, &w);
     if (file.nothing)

@@ -157,8 +157,7 @@ graze_state solid_locate(const graze_solid *solid, const fmpz *x) {
     return winding == 1 ? GRAZE_STATE_I : winding == 0 ? GRAZE_STATE_O : GRAZE_STATE_ABSENT;
 }
 
-/* The point with the barycentric weights 1, w, w^2 ... in a simplex, homogeneous. */
-static void weighted_point(fmpz *x, const graze_solid *solid, size_t simplex, ulong w) {
+void solid_point_within(fmpz *x, const graze_solid *solid, size_t simplex, ulong w) {
     int d = solid->input.dimension;
     LOCAL_VEC(fmpq, sum, d);
     ulong weight = 1, total = 0;
@@ -184,7 +183,7 @@ static long winding_outside(const graze_solid *solid, size_t simplex, int facing
     ray r;
     ulong w = 1;
     do {
-        weighted_point(x, solid, simplex, w++);
+        solid_point_within(x, solid, simplex, w++);
         r = (ray){.of = &boundary, .x = x, .skip = simplex};
         shoot(&r);
     } while (r.on_boundary);
@@ -216,12 +215,11 @@ static graze_status check_component(const graze_solid *solid, graze_context *con
 
 graze_status solid_check_sides(const graze_solid *solid, graze_context *context) {
     size_t count = solid->cut.component_count;
-    unsigned char *done = calloc(count ? count : 1, 1);
+    FREED(unsigned char, done, calloc(count ? count : 1, 1));
     if (!done)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu components", count);
     LOCAL_VEC(fmpz, plane, solid->input.dimension + 1);
-    graze_status status = GRAZE_OK;
-    for (size_t s = 0; s < solid->cut.count && status == GRAZE_OK; s++) {
+    for (size_t s = 0; s < solid->cut.count; s++) {
         size_t component = solid->cut.item[s].component;
         if (done[component])
             continue;
@@ -230,10 +228,8 @@ graze_status solid_check_sides(const graze_solid *solid, graze_context *context)
         if (fmpz_is_zero(plane))
             continue;
         done[component] = 1;
-        status = check_component(solid, context, s, facing);
-        if (status == GRAZE_OK)
-            status = context_poll(context);
+        TRY(check_component(solid, context, s, facing));
+        TRY(context_poll(context));
     }
-    free(done);
-    return status;
+    return GRAZE_OK;
 }

@@ -50,8 +50,8 @@ static void share(plane_list *list) {
     list->form = kept;
 }
 
-int planes_find_known(plane_list *out, form_memory *forms, const graze_solid *solid,
-                      const uint32_t *simplex, size_t count) {
+int planes_find(plane_list *out, form_memory *forms, const graze_solid *solid,
+                const uint32_t *simplex, size_t count) {
     *out = (plane_list){.simplex_count = count, .dimension = solid->input.dimension};
     out->order = malloc((count + 1) * sizeof *out->order);
     out->start = malloc((count + 1) * sizeof *out->start);
@@ -65,10 +65,6 @@ int planes_find_known(plane_list *out, form_memory *forms, const graze_solid *so
     qsort_r(out->order, count, sizeof *out->order, compare_entries, out);
     share(out);
     return 0;
-}
-
-int planes_find(plane_list *out, const graze_solid *solid, const uint32_t *simplex, size_t count) {
-    return planes_find_known(out, NULL, solid, simplex, count);
 }
 
 void planes_clear(plane_list *list) {

@@ -4,6 +4,7 @@
 #include "input/solid/solid.h"
 
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "input/soup/soup.h"
 #include "input/validate/validate.h"
@@ -38,16 +39,12 @@ graze_status skin_tree(tree *out, graze_context *context, const skin *s) {
     *out = (tree){0, NULL};
     if (!n)
         return GRAZE_OK;
-    box *boxes = malloc(n * sizeof *boxes);
-    int failed = !boxes;
-    if (boxes) {
-        for (size_t k = 0; k < n; k++)
-            bound_simplex(&boxes[k], s, k);
-        failed = tree_build(out, boxes, n);
-    }
-    free(boxes);
-    return failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory for a tree of %zu boxes", n)
-                  : GRAZE_OK;
+    FREED(box, boxes, malloc(n * sizeof *boxes));
+    for (size_t k = 0; k < n && boxes; k++)
+        bound_simplex(&boxes[k], s, k);
+    return !boxes || tree_build(out, boxes, n)
+               ? context_fail(context, GRAZE_ESYSTEM, "out of memory for a tree of %zu boxes", n)
+               : GRAZE_OK;
 }
 
 void skin_vertices(const fmpq **vertex, const skin *s, size_t simplex) {

@@ -292,6 +292,9 @@ long skin_winding(int *on, const skin *s, const fmpz *x);
  */
 graze_state solid_locate(const graze_solid *solid, const fmpz *x);
 
+/** The point with the barycentric weights 1, w, w^2 in a simplex, as d + 1 homogeneous integers. */
+void solid_point_within(fmpz *x, const graze_solid *solid, size_t simplex, ulong w);
+
 /**
  * One side test per component of the boundary: the winding number must be 1 on the inner side and 0
  * on the outer side of one of its facets, and then is so at all of them (proofs/claims.md C3, C4).
@@ -313,16 +316,14 @@ typedef struct plane_list {
 } plane_list;
 
 /**
- * Find the planes of `count` simplices, computing the form of each.
+ * Find the planes of `count` simplices, taking forms from `forms` and adding to them.
+ * @param forms NULL keeps none
  * @param simplex their numbers, repetitions allowed; NULL for all simplices of the solid, `count`
  * of them
  * @return 0, or -1 if memory runs out; then there is nothing to clear
  */
-int planes_find(plane_list *out, const graze_solid *solid, const uint32_t *simplex, size_t count);
-
-/** planes_find that takes forms from `forms` and adds to them; NULL keeps none. */
-int planes_find_known(plane_list *out, form_memory *forms, const graze_solid *solid,
-                      const uint32_t *simplex, size_t count);
+int planes_find(plane_list *out, form_memory *forms, const graze_solid *solid,
+                const uint32_t *simplex, size_t count);
 void planes_clear(plane_list *list);
 
 /* A solid as the text of an exact file. */

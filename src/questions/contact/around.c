@@ -97,7 +97,7 @@ static int widen_planes(plane_list *list) {
 }
 
 static graze_status list_planes(plane_list *out, const neighbours *n) {
-    if (planes_find(out, n->solid, n->item, n->count) == 0) {
+    if (planes_find(out, NULL, n->solid, n->item, n->count) == 0) {
         for (size_t k = 0; k < n->count; k++)
             out->order[k] = n->item[out->order[k]];
         if (widen_planes(out))

@@ -127,7 +127,7 @@ graze_status specials_find(specials *out, graze_context *context, const graze_sc
     plane_list planes;
     *out = (specials){.count = 0};
     FREED(uint32_t, plane_from, calloc(solid->cut.count, sizeof *plane_from));
-    if (!plane_from || planes_find(&planes, solid, NULL, solid->cut.count))
+    if (!plane_from || planes_find(&planes, NULL, solid, NULL, solid->cut.count))
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the planes of %zu simplices",
                             solid->cut.count);
     graze_status status = look_at_planes(out, context, scene, &planes, plane_from);

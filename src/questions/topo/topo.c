@@ -29,7 +29,7 @@ static void free_shares(void *value) {
 static graze_status make_shares(scene_memo *memo, graze_context *context,
                                 const graze_scene *scene) {
     scene_shares *made = calloc(1, sizeof *made);
-    if (!made || planes_find(&made->planes, scene->solid, NULL, scene->solid->cut.count) != 0) {
+    if (!made || planes_find(&made->planes, NULL, scene->solid, NULL, scene->solid->cut.count)) {
         free(made);
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the planes of a solid");
     }
