@@ -97,10 +97,6 @@ void put_rational_fact(text *t, const char *name, const fmpq_t bound);
  */
 graze_status joint_bits(joint *j, graze_context *context, const target *goal, size_t count);
 
-/** Make both polyhedra with `sides` sides a ring and `pieces` pieces of the arc; coordinates of
- * directions are multiples of 2^-bits. The caller clears `out` by tool_pair_clear. */
-void tool_pair_make(tool_pair *out, const tool *s, size_t sides, size_t pieces, slong bits);
-
 /* Decides whether two polyhedra hold a tool between them. */
 
 /**

@@ -10,6 +10,7 @@
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "input/convert/angle.h"
 #include "input/convert/convert.h"
 #include "input/motion/motion.h"
@@ -225,9 +226,7 @@ static graze_status put_arc(program *p, const fmpq *to) {
 /* Move to a position; `given` are the bits of coordinates that the line has. */
 static graze_status move_to(program *p, const fmpq *to, int given) {
     graze_context *context = p->block.context;
-    int arc = p->mode[MOTIONS] == CLOCKWISE || p->mode[MOTIONS] == COUNTER, moves = 0;
-    for (int k = 0; k < 3; k++)
-        moves |= !fmpq_equal(to + k, p->at + k);
+    int arc = p->mode[MOTIONS] == CLOCKWISE || p->mode[MOTIONS] == COUNTER;
     if (p->known != ALL_KNOWN) {
         if (arc)
             return gcode_refuse(&p->block, "an arc begins at a position that is not known; "
@@ -236,11 +235,10 @@ static graze_status move_to(program *p, const fmpq *to, int given) {
         p->begins = p->block.line;
     } else if (arc) {
         TRY(put_arc(p, to));
-    } else if (moves) {
+    } else if (vector_compare(to, p->at, 3) != 0) {
         put_move(p, NULL, to, 0);
     }
-    for (int k = 0; k < 3; k++)
-        fmpq_set(p->at + k, to + k);
+    vector_set(p->at, to, 3);
     return p->pieces > context->limits[GRAZE_LIMIT_PIECES]
                ? context_limit(context, GRAZE_LIMIT_PIECES, "a program")
                : GRAZE_OK;
@@ -294,8 +292,8 @@ graze_status convert_gcode(conversion *out, graze_context *context, const char *
                  .mode = {[MOTIONS] = NO_MOTION, [PLANES] = 170, [UNITS] = 210, [WAYS] = 900},
                  .at = number,
                  .known = choice->start ? ALL_KNOWN : 0};
-    for (int k = 0; k < 3 && choice->start; k++)
-        fmpq_set(p.at + k, choice->start + k);
+    if (choice->start)
+        vector_set(p.at, choice->start, 3);
     graze_status status = GRAZE_OK;
     if (choice->text)
         stream_of_text(&in, context, path, choice->text, choice->length);

@@ -23,6 +23,7 @@
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "input/convert/angle.h"
 
 enum { CORNER_BITS = 6, CENTRE_BITS = 20, TURN_BITS = 64 };
@@ -90,17 +91,15 @@ static graze_status place_arc(gcode_arc *a, graze_context *context, const fmpq_t
     LOCAL_VEC(fmpq, chord, 4);
     fmpq *end = chord + 2;
     mpfr_set_zero(a->error, 1);
-    for (int k = 0; k < 2; k++)
-        fmpq_sub(chord + k, a->to + k, a->from + k);
-    if (a->radius && fmpq_is_zero(chord) && fmpq_is_zero(chord + 1))
+    vector_sub(chord, a->to, a->from, 2);
+    if (a->radius && vector_is_zero(chord, 2))
         return context_fail(context, GRAZE_EINPUT,
                             "an arc by R ends where it starts; expected I, J or K for a circle");
     if (a->radius)
         centre_by_radius(a, chord, tolerance);
-    for (int k = 0; k < 2; k++) {
-        fmpq_sub(end + k, chord + k, a->centre + k);
+    vector_sub(end, chord, a->centre, 2);
+    for (int k = 0; k < 2; k++)
         fmpq_neg(a->start + k, a->centre + k);
-    }
     square_of_length(chord, a->start);
     if (fmpq_is_zero(chord) || (fmpq_is_zero(end) && fmpq_is_zero(end + 1)))
         return context_fail(context, GRAZE_EINPUT,

@@ -9,15 +9,6 @@
 #include "input/convert/convert.h"
 #include "input/delimited/delimited.h"
 
-/**
- * The quaternion of three angles in degrees, and how far its rotation is from that of the angles.
- * @param[out] quaternion w, x, y, z, of any length; may be the array `degrees`
- * @param[out] error an upper bound of the angle between both rotations, radians, of ANGLE_BITS;
- * about 2^-bits
- */
-void angles_rotation(fmpq *quaternion, mpfr_t error, const angle_order *order, const fmpq *degrees,
-                     slong bits);
-
 /* The names of columns in logs of poses. */
 
 /** Columns with a meaning: t; x, y, z; qw, qx, qy, qz; m00 to m33 row by row; i, j, k of a tool's

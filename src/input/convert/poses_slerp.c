@@ -16,6 +16,7 @@
  */
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "input/convert/angle.h"
 #include "input/convert/poses_list.h"
 
@@ -66,9 +67,9 @@ static graze_status find_halvings(mpfr_t bound, slerp_course *s, graze_context *
 /* Bound the angle to SLERP; `from` and `to` are the quaternions in the plane that they span. */
 static graze_status bound_way(slerp_course *s, graze_context *context, const half_angle *from,
                               const half_angle *to, const fmpq_t square, unsigned long row) {
-    mpfr_t bound, apart;
     graze_status status = GRAZE_OK;
-    mpfr_inits2(ANGLE_BITS, bound, apart, (mpfr_ptr)0);
+    LOCAL_MPFR(bound, ANGLE_BITS);
+    LOCAL_MPFR(apart, ANGLE_BITS);
     half_angle_apart(apart, from, to, square);
     if (s->tolerance)
         status = find_halvings(bound, s, context, apart);
@@ -78,54 +79,46 @@ static graze_status bound_way(slerp_course *s, graze_context *context, const hal
         s->worst = mpfr_get_d(bound, MPFR_RNDU);
         s->row = row;
     }
-    mpfr_clears(bound, apart, (mpfr_ptr)0);
     return status;
 }
 
 graze_status slerp_look(slerp_course *s, graze_context *context, const pose_list *list, size_t i) {
     pose *p = list->item + i;
-    graze_status status = context_work(context, WAY_WORK);
+    TRY(context_work(context, WAY_WORK));
     HELD(half_angle, from);
     HELD(half_angle, to);
     LOCAL(fmpq, square);
     _fmpq_vec_dot(square, p->quaternion, p->quaternion, 4);
     s->halvings = 0;
     if (fmpq_is_zero(square))
-        status = context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
-                                 "the quaternion is zero; expected that of a rotation");
-    else if (s->tolerance)
+        return context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
+                               "the quaternion is zero; expected that of a rotation");
+    if (s->tolerance)
         scale_to_unit(p->quaternion, slerp_bits(s), 0);
-    if (i && !status) {
-        s->pieces++;
-        _fmpq_vec_dot(from.w, p[-1].quaternion, p[-1].quaternion, 4);
-        _fmpq_vec_dot(to.w, p[-1].quaternion, p->quaternion, 4);
-        _fmpq_vec_dot(square, p->quaternion, p->quaternion, 4);
-        fmpq_mul(square, square, from.w);
-        fmpq_submul(square, to.w, to.w);
-        fmpq_one(to.c);
-        if (!fmpq_is_zero(square))
-            status = bound_way(s, context, &from, &to, square, p->row);
-        else if (fmpq_sgn(to.w) < 0)
-            status = context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
-                                     "the quaternion is opposite to that of line %lu, and zero "
-                                     "between them; expected the same rotation with the other "
-                                     "signs",
-                                     p[-1].line);
-    }
-    return status;
-}
-
-static void set_middle(fmpq_t out, const fmpq_t from, const fmpq_t to) {
-    fmpq_add(out, from, to);
-    fmpq_div_2exp(out, out, 1);
+    if (!i)
+        return GRAZE_OK;
+    s->pieces++;
+    _fmpq_vec_dot(from.w, p[-1].quaternion, p[-1].quaternion, 4);
+    _fmpq_vec_dot(to.w, p[-1].quaternion, p->quaternion, 4);
+    _fmpq_vec_dot(square, p->quaternion, p->quaternion, 4);
+    fmpq_mul(square, square, from.w);
+    fmpq_submul(square, to.w, to.w);
+    fmpq_one(to.c);
+    if (!fmpq_is_zero(square))
+        return bound_way(s, context, &from, &to, square, p->row);
+    if (fmpq_sgn(to.w) < 0)
+        return context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
+                               "the quaternion is opposite to that of line %lu, and zero between "
+                               "them; expected the same rotation with the other signs",
+                               p[-1].line);
+    return GRAZE_OK;
 }
 
 void slerp_middle(pose *out, const slerp_course *s, const pose *from, const pose *to) {
-    set_middle(out->time, from->time, to->time);
+    vector_middle(out->time, from->time, to->time, 1);
     for (int k = 3; k < 12; k += 4)
-        set_middle(out->matrix + k, from->matrix + k, to->matrix + k);
-    for (int k = 0; k < 4; k++)
-        set_middle(out->quaternion + k, from->quaternion + k, to->quaternion + k);
+        vector_middle(out->matrix + k, from->matrix + k, to->matrix + k, 1);
+    vector_middle(out->quaternion, from->quaternion, to->quaternion, 4);
     scale_to_unit(out->quaternion, slerp_bits(s), 1);
     out->row = to->row;
 }

@@ -11,12 +11,67 @@
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
+#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
+#include "base/number/vector.h"
 #include "input/convert/angle.h"
 #include "input/convert/poses_list.h"
 
 enum { BITS_LEAST = 32 }; /* of angles */
+
+static const angle_order orders[] = {
+    {"kuka", {"A", "B", "C"}, {2, 1, 0}, 0},       {"fanuc", {"R", "P", "W"}, {2, 1, 0}, 0},
+    {"staubli", {"RX", "RY", "RZ"}, {0, 1, 2}, 0}, {"kawasaki", {"O", "A", "T"}, {2, 1, 2}, 0},
+    {"cnc", {"C", "B", "A"}, {2, 1, 0}, 1},        {"rpy", {"yaw", "pitch", "roll"}, {2, 1, 0}, 0}};
+enum { ORDERS = sizeof orders / sizeof *orders };
+
+const angle_order *angle_order_of(const char *machine) {
+    for (int k = 0; k < ORDERS; k++)
+        if (strcmp(machine, orders[k].machine) == 0)
+            return orders + k;
+    return NULL;
+}
+
+/* out = out (w + c e), e the unit vector of an axis. */
+static void turn_on(fmpq *out, const half_angle *h, int axis) {
+    LOCAL_VEC(fmpq, made, 4);
+    int a = 1 + axis, b = 1 + (axis + 1) % 3, c = 1 + (axis + 2) % 3;
+    /* 1 e = e, e e = -1, e_b e_a = -e_c, e_c e_a = e_b */
+    fmpq_mul(made + a, out, h->c);
+    fmpq_mul(made, out + a, h->c);
+    fmpq_neg(made, made);
+    fmpq_mul(made + c, out + b, h->c);
+    fmpq_neg(made + c, made + c);
+    fmpq_mul(made + b, out + c, h->c);
+    for (int k = 0; k < 4; k++) {
+        fmpq_addmul(made + k, out + k, h->w);
+        fmpq_swap(out + k, made + k);
+    }
+}
+
+/* Find the quaternion of three angles in degrees, a product of three turns whose half angles are
+ * dyadic pairs near the given ones, and an upper bound of the angle between both rotations,
+ * radians, about 2^-bits: the sum of the errors of the turns. `quaternion` may be `degrees`. */
+static void angles_rotation(fmpq *quaternion, mpfr_t error, const angle_order *order,
+                            const fmpq *degrees, slong bits) {
+    LOCAL_VEC(fmpq, product, 4);
+    LOCAL_VEC(fmpq, f, 2);
+    fmpq *one = f + 1;
+    HELD(half_angle, h);
+    LOCAL_MPFR(part, ANGLE_BITS);
+    mpfr_set_zero(error, 1);
+    fmpq_one(one);
+    fmpq_one(product);
+    for (int k = 0; k < 3; k++) {
+        divide_by(f, degrees + k, 720);
+        half_angle_dyadic(&h, f, one, bits);
+        half_angle_error(part, &h, f, one);
+        mpfr_add(error, error, part, MPFR_RNDU);
+        turn_on(product, &h, order->axis[k]);
+    }
+    vector_set(quaternion, product, 4);
+}
 
 int pose_along(const pose *p) {
     LOCAL(fmpq, along);
@@ -31,12 +86,9 @@ void pose_negate(pose *p) {
 
 /* The square root of a rational number, exact if the root is rational, else computed in doubles. */
 static graze_status length_near(fmpq_t out, graze_context *context, const fmpq_t square) {
-    if (fmpz_is_square(fmpq_numref(square)) && fmpz_is_square(fmpq_denref(square))) {
-        fmpz_sqrt(fmpq_numref(out), fmpq_numref(square));
-        fmpz_sqrt(fmpq_denref(out), fmpq_denref(square));
-        return GRAZE_OK;
-    }
-    return rational_from_double(out, context, sqrt(fmpq_get_d(square)));
+    return rational_root(out, square)
+               ? GRAZE_OK
+               : rational_from_double(out, context, sqrt(fmpq_get_d(square)));
 }
 
 /* An upper bound of the angle between the rotation of q = (w, -j, i, 0), which turns e to u = (2 w
@@ -70,12 +122,6 @@ static void axis_error(mpfr_t out, const fmpq_t w, const fmpq *a, const fmpq_t s
         mpfr_set_ui(out, 4, MPFR_RNDU);
 }
 
-static graze_status refuse_axis(graze_context *context, const pose_list *list, const pose *p,
-                                const char *what) {
-    return context_fail_in(context, GRAZE_EINPUT, list->source, p->line, "the tool's axis is %s",
-                           what);
-}
-
 /* Find the quaternion (L + k, -j, i, 0). For k < 0, L + k is computed as (i^2 + j^2) / (L - k),
  * which loses no digits. */
 static graze_status axis_rotation(mpfr_t error, graze_context *context, const pose_list *list,
@@ -87,12 +133,12 @@ static graze_status axis_rotation(mpfr_t error, graze_context *context, const po
         fmpq_swap(a + k, p->quaternion + k);
     _fmpq_vec_dot(square, a, a, 3);
     _fmpq_vec_dot(across, a, a, 2);
-    if (fmpq_is_zero(square))
-        return refuse_axis(context, list, p, "zero; expected a direction");
-    if (fmpq_is_zero(across) && fmpq_sgn(a + 2) < 0)
-        return refuse_axis(context, list, p,
-                           "opposite to (0, 0, 1), to which no rotation is the least; expected "
-                           "another direction");
+    if (fmpq_is_zero(across) && fmpq_sgn(a + 2) <= 0)
+        return context_fail_in(
+            context, GRAZE_EINPUT, list->source, p->line, "the tool's axis is %s",
+            fmpq_is_zero(square) ? "zero; expected a direction"
+                                 : "opposite to (0, 0, 1), to which no rotation is the least; "
+                                   "expected another direction");
     TRY(length_near(w, context, square));
     if (fmpq_sgn(a + 2) >= 0) {
         fmpq_add(w, w, a + 2);

@@ -165,21 +165,24 @@ void common_map_backward(calculation *c, point_map *out, const common_map *m);
  */
 typedef enum entry_fault { FAULT_NONE, FAULT_POLE, FAULT_SINGULAR } entry_fault;
 
+/** The place part / of in s, which runs from 0 to 1 along the piece as written. */
+typedef struct cut_place {
+    size_t part, of;
+} cut_place;
+
 /** A part of a piece that is being made; u runs from 0 to 1 along the part. */
 typedef struct stretch {
     int dimension;
-    fmpq_t from, to;    /* ends in s, which runs from 0 to 1 along the piece as written */
-    fmpq_t lo, hi;      /* ends in t */
+    fmpq *from, *to;    /* ends in s */
+    fmpq *lo, *hi;      /* ends in t */
     fmpz_poly_q_t t, s; /* t and s as functions of u */
     entry_fault fault;  /* an entry with this fault on the stretch is refused */
 } stretch;
 
-/** Set the stretch to a whole piece from t = lo to t = hi. */
-void stretch_init(stretch *part, int dimension, const fmpq_t lo, const fmpq_t hi);
+void stretch_init(stretch *part, int dimension);
 void stretch_clear(stretch *part);
-/** Set the stretch to the part [from, to] in s of the piece from t = lo to t = hi. */
-void stretch_set(stretch *part, const fmpq_t lo, const fmpq_t hi, const fmpq_t from,
-                 const fmpq_t to);
+/** Set the stretch to the part between two places of the piece from t = lo to t = hi. */
+void stretch_set(stretch *part, const fmpq_t lo, const fmpq_t hi, const cut_place *ends);
 
 /** Read an expression or a JSON number as a function of u. */
 graze_status entry_function(fmpz_poly_q_t out, graze_context *context, const json *value,
@@ -238,14 +241,13 @@ graze_status rotation_of(affine *out, graze_context *context, const json *where,
 /* Transforms of a motion file: JSON to affine maps over a stretch of a piece
  * (src/program/cli/formats.md, Motions). */
 
-/** Places in s at which the turns of a transform cut the piece, ascending, each once, from 0 to 1.
- */
+/** Places at which the turns of a transform cut the piece, ascending, each once, from 0 to 1; a
+ * zeroed structure is an empty list. */
 typedef struct cut_list {
-    size_t count, capacity; /* places up to `capacity` are initialised */
-    fmpq *place;
+    size_t count, capacity;
+    cut_place *place;
 } cut_list;
 
-void cut_list_init(cut_list *cuts);
 void cut_list_clear(cut_list *cuts);
 /** @return GRAZE_ELIMIT there are more parts than the limit `pieces`; and as transform_map */
 graze_status transform_cuts(cut_list *cuts, graze_context *context, const json *transform);

@@ -11,42 +11,30 @@
 #include "input/motion/affine.h"
 #include "input/motion/draft.h"
 
-enum { TIME_SIZE = 60 };
+enum { TIME_SIZE = 60, STRETCH_ENDS = 4 };
 
-void stretch_init(stretch *part, int dimension, const fmpq_t lo, const fmpq_t hi) {
-    LOCAL_VEC(fmpq, zero, 2);
-    fmpq *one = zero + 1;
-    fmpq_one(one);
-    part->dimension = dimension;
-    part->fault = FAULT_NONE;
-    fmpq_init(part->from);
-    fmpq_init(part->to);
-    fmpq_init(part->lo);
-    fmpq_init(part->hi);
+void stretch_init(stretch *part, int dimension) {
+    fmpq *n = _fmpq_vec_init(STRETCH_ENDS);
+    *part = (stretch){dimension, n, n + 1, n + 2, n + 3, .fault = FAULT_NONE};
     fmpz_poly_q_init(part->t);
     fmpz_poly_q_init(part->s);
-    stretch_set(part, lo, hi, zero, one);
 }
 
 void stretch_clear(stretch *part) {
-    fmpq_clear(part->from);
-    fmpq_clear(part->to);
-    fmpq_clear(part->lo);
-    fmpq_clear(part->hi);
+    _fmpq_vec_clear(part->from, STRETCH_ENDS);
     fmpz_poly_q_clear(part->t);
     fmpz_poly_q_clear(part->s);
 }
 
-void stretch_set(stretch *part, const fmpq_t lo, const fmpq_t hi, const fmpq_t from,
-                 const fmpq_t to) {
+void stretch_set(stretch *part, const fmpq_t lo, const fmpq_t hi, const cut_place *ends) {
     LOCAL(fmpq, span);
     fmpq_sub(span, hi, lo);
-    fmpq_set(part->from, from);
-    fmpq_set(part->to, to);
+    fmpq_set_ui(part->from, ends[0].part, ends[0].of);
+    fmpq_set_ui(part->to, ends[1].part, ends[1].of);
     fmpq_set(part->lo, lo);
-    fmpq_addmul(part->lo, span, from);
+    fmpq_addmul(part->lo, span, part->from);
     fmpq_set(part->hi, lo);
-    fmpq_addmul(part->hi, span, to);
+    fmpq_addmul(part->hi, span, part->to);
     quotient_set_line(part->t, part->lo, part->hi);
     quotient_set_line(part->s, part->from, part->to);
 }
@@ -57,8 +45,8 @@ static graze_status read_value(fmpz_poly_q_t out, graze_context *context, const 
         return json_fail(context, GRAZE_EINPUT, value, "expected %s",
                          t != NULL ? "a number or an expression in quotes"
                                    : "a number, bare or in quotes,");
-    graze_status status = expression_value(out, context, value->text, value->length, t, s);
-    return status == GRAZE_OK ? status : json_at(context, status, value);
+    return json_at(context, expression_value(out, context, value->text, value->length, t, s),
+                   value);
 }
 
 graze_status entry_function(fmpz_poly_q_t out, graze_context *context, const json *value,
@@ -120,8 +108,7 @@ graze_status entry_no_root(graze_context *context, const json *where, const fmpz
         return json_fail(context, GRAZE_EILLEGAL, where, "%s at every t", what);
     calculation c = {context, GRAZE_OK};
     calculation_spend(&c, (unsigned long)fmpz_poly_length(p) * polynomial_work(p));
-    if (c.status != GRAZE_OK)
-        return json_at(context, c.status, where);
+    TRY(json_at(context, c.status, where));
     LOCAL_VEC(fmpq, low, 2);
     fmpq *high = low + 1;
     int found;

@@ -250,6 +250,8 @@ graze_status json_fail(graze_context *context, graze_status status, const json *
 
 graze_status json_at(graze_context *context, graze_status status, const json *where) {
     char path[PATH_SIZE];
+    if (status == GRAZE_OK)
+        return status;
     context_item(context, status, NULL, 0, path_of(path, where));
     return context_in(context, status, where->source, where->line);
 }

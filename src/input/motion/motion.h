@@ -116,7 +116,8 @@ void json_clear(json_document *document);
 /** Fail with "source:line: path: message", where path is such as pieces[1].transform.scale[0]. */
 graze_status json_fail(graze_context *context, graze_status status, const json *where,
                        const char *format, ...) __attribute__((format(printf, 4, 5)));
-/** Put "source:line: path: " before the message of a failure on its way up; returns `status`. */
+/** Put "source:line: path: " before the message of a failure on its way up; returns `status`, which
+ * may be GRAZE_OK. */
 graze_status json_at(graze_context *context, graze_status status, const json *where);
 /** json_at, unless status is GRAZE_OK or the message begins with the source already. */
 graze_status json_at_last(graze_context *context, graze_status status, const json *where);

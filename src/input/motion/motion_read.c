@@ -52,8 +52,7 @@ static graze_status read_relative(draft *out, graze_context *context, const json
         return json_fail(
             context, GRAZE_EILLEGAL, value,
             "moving and frame have different intervals of t; expected the same interval");
-    graze_status status = draft_relative(out, context, &moving, &frame);
-    return status == GRAZE_OK ? status : json_at(context, status, value);
+    return json_at(context, draft_relative(out, context, &moving, &frame), value);
 }
 
 static int starts_at_identity(const draft *d) {
@@ -77,9 +76,7 @@ static graze_status read_sequence(draft *out, graze_context *context, const json
                              "the motion jumps at t = %zu: expected every motion of a sequence "
                              "but the first to start at the identity",
                              item->index);
-        graze_status status = draft_follow(out, context, &next, (slong)item->index, &end);
-        if (status != GRAZE_OK)
-            return json_at(context, status, item);
+        TRY(json_at(context, draft_follow(out, context, &next, (slong)item->index, &end), item));
     }
     return GRAZE_OK;
 }

@@ -33,8 +33,7 @@ static graze_status check_determinant(draft_piece *piece, graze_context *context
     calculation c = {context, GRAZE_OK};
     LOCAL(fmpz_poly_q, determinant);
     affine_determinant(&c, determinant, &piece->map);
-    if (c.status != GRAZE_OK)
-        return json_at(context, c.status, where);
+    TRY(json_at(context, c.status, where));
     return entry_no_root(context, where, fmpz_poly_q_numref(determinant), piece->lo, piece->hi,
                          "the determinant of the motion's linear part is zero");
 }
@@ -75,15 +74,11 @@ static graze_status blame(affine *map, graze_context *context, const json *trans
 static graze_status read_stretch(draft *out, graze_context *context, const json *transform,
                                  stretch *part) {
     draft_piece *piece;
-    graze_status status = draft_append(&piece, context, out, 0);
-    if (status != GRAZE_OK)
-        return json_at(context, status, transform);
+    TRY(json_at(context, draft_append(&piece, context, out, 0), transform));
     fmpq_set(piece->lo, part->lo);
     fmpq_set(piece->hi, part->hi);
-    status = transform_map(&piece->map, context, transform, part);
-    if (status != GRAZE_OK)
-        return json_at_last(context, status, transform);
-    status = check_poles(piece, context, transform);
+    TRY(json_at_last(context, transform_map(&piece->map, context, transform, part), transform));
+    graze_status status = check_poles(piece, context, transform);
     if (status == GRAZE_EILLEGAL)
         return blame(&piece->map, context, transform, part, FAULT_POLE);
     status = check_determinant(piece, context, transform);
@@ -95,11 +90,11 @@ static graze_status read_stretch(draft *out, graze_context *context, const json 
 
 static graze_status read_transform(draft *out, graze_context *context, const json *transform,
                                    const fmpq_t lo, const fmpq_t hi) {
-    HELD(cut_list, cuts);
-    HELD(stretch, part, out->dimension, lo, hi);
+    ZEROED(cut_list, cuts);
+    HELD(stretch, part, out->dimension);
     TRY(transform_cuts(&cuts, context, transform));
     for (size_t k = 0; k + 1 < cuts.count; k++) {
-        stretch_set(&part, lo, hi, &cuts.place[k], &cuts.place[k + 1]);
+        stretch_set(&part, lo, hi, &cuts.place[k]);
         TRY(read_stretch(out, context, transform, &part));
     }
     return GRAZE_OK;
@@ -173,40 +168,33 @@ graze_status motion_read_pieces(draft *out, graze_context *context, const json *
 /* ------------------------------------------------------------------------------------ keyframes */
 
 enum { TIME, POSITION, ROTATION, ROW, FRAME_KEYS };
+enum { FRAME_NUMBERS = 8 };
 
 /* The numbers of a keyframe; those that are not given keep the values of keyframe_init. */
 typedef struct keyframe {
-    fmpq_t time;
-    fmpq_t position[3];
-    fmpq_t rotation[4]; /* w, x, y, z; in E^2 x = y = 0 */
-    int given;          /* bit k is set if the frame has member k */
-    unsigned long row;  /* 0: none is given */
+    fmpq *time, *position;
+    fmpq *rotation;    /* w, x, y, z; in E^2 x = y = 0 */
+    int given;         /* bit k is set if the frame has member k */
+    unsigned long row; /* 0: none is given */
 } keyframe;
 
 static void keyframe_init(keyframe *frame) {
-    fmpq_init(frame->time);
-    for (int k = 0; k < 3; k++)
-        fmpq_init(frame->position[k]);
-    for (int k = 0; k < 4; k++)
-        fmpq_init(frame->rotation[k]);
-    fmpq_one(frame->rotation[0]);
+    fmpq *n = _fmpq_vec_init(FRAME_NUMBERS);
+    *frame = (keyframe){.time = n, .position = n + 1, .rotation = n + 4};
+    fmpq_one(frame->rotation);
 }
 
 static void keyframe_clear(keyframe *frame) {
-    fmpq_clear(frame->time);
-    for (int k = 0; k < 3; k++)
-        fmpq_clear(frame->position[k]);
-    for (int k = 0; k < 4; k++)
-        fmpq_clear(frame->rotation[k]);
+    _fmpq_vec_clear(frame->time, FRAME_NUMBERS);
 }
 
 /* Read an array of `count` numbers into every `step`th entry of `out`. */
-static graze_status read_numbers(fmpq_t *out, graze_context *context, const json *value,
-                                 size_t count, size_t step) {
+static graze_status read_numbers(fmpq *out, graze_context *context, const json *value, size_t count,
+                                 size_t step) {
     TRY(json_array(context, value, count));
     const json *item = value->first;
     for (size_t k = 0; k < count; k++, item = item->next)
-        TRY(entry_number(out[k * step], context, item));
+        TRY(entry_number(out + k * step, context, item));
     return GRAZE_OK;
 }
 
@@ -230,20 +218,20 @@ static graze_status read_keyframe(keyframe *frame, graze_context *context, const
 
 /* Set `out` to the linear polynomials with the values from[k] at 0 and to[k] at 1, all multiplied
  * by the least common denominator of these numbers. */
-static void set_lines(fmpz_poly_struct *out, fmpz_t denominator, const fmpq_t *from,
-                      const fmpq_t *to, int count) {
+static void set_lines(fmpz_poly_struct *out, fmpz_t denominator, const fmpq *from, const fmpq *to,
+                      int count) {
     LOCAL_VEC(fmpz, start, 3);
     fmpz *end = start + 1, *factor = start + 2;
     fmpz_one(denominator);
     for (int k = 0; k < count; k++) {
-        fmpz_lcm(denominator, denominator, fmpq_denref(from[k]));
-        fmpz_lcm(denominator, denominator, fmpq_denref(to[k]));
+        fmpz_lcm(denominator, denominator, fmpq_denref(from + k));
+        fmpz_lcm(denominator, denominator, fmpq_denref(to + k));
     }
     for (int k = 0; k < count; k++) {
-        fmpz_divexact(factor, denominator, fmpq_denref(from[k]));
-        fmpz_mul(start, factor, fmpq_numref(from[k]));
-        fmpz_divexact(factor, denominator, fmpq_denref(to[k]));
-        fmpz_mul(end, factor, fmpq_numref(to[k]));
+        fmpz_divexact(factor, denominator, fmpq_denref(from + k));
+        fmpz_mul(start, factor, fmpq_numref(from + k));
+        fmpz_divexact(factor, denominator, fmpq_denref(to + k));
+        fmpz_mul(end, factor, fmpq_numref(to + k));
         fmpz_sub(end, end, start);
         fmpz_poly_zero(&out[k]);
         fmpz_poly_set_coeff_fmpz(&out[k], 1, end);
@@ -256,16 +244,15 @@ static void set_lines(fmpz_poly_struct *out, fmpz_t denominator, const fmpq_t *f
 static graze_status append_between(draft *out, graze_context *context, const json *where,
                                    const keyframe *from, const keyframe *to) {
     draft_piece *piece;
-    graze_status status = draft_append(&piece, context, out, 1);
-    if (status != GRAZE_OK)
-        return json_at(context, status, where);
+    TRY(json_at(context, draft_append(&piece, context, out, 1), where));
     fmpq_set(piece->lo, from->time);
     fmpq_set(piece->hi, to->time);
     piece->row = to->row;
     LOCAL_VEC(fmpz_poly, q, 4);
     LOCAL(fmpz, denominator);
     set_lines(q, denominator, from->rotation, to->rotation, 4);
-    status = quaternion_rotation(&piece->frame, context, where, q, from->time, to->time);
+    graze_status status =
+        quaternion_rotation(&piece->frame, context, where, q, from->time, to->time);
     json_at_last(context, status, where);
     set_lines(piece->frame.shift, denominator, from->position, to->position, out->dimension);
     fmpz_poly_set_fmpz(piece->frame.v, denominator);

@@ -157,8 +157,7 @@ graze_status rotation_by_tangent(affine *out, graze_context *context, const json
     fmpz_poly_set(fmpz_poly_q_numref(half.at[0]), fmpz_poly_q_denref(tangent));
     fmpz_poly_set(fmpz_poly_q_numref(half.at[1]), fmpz_poly_q_numref(tangent));
     complex_power(&c, half.at[0], half.at[1], times);
-    if (c.status != GRAZE_OK)
-        return json_at(context, c.status, value);
+    TRY(json_at(context, c.status, value));
     return rotate_about(out, context, value, half.at, member[3], member[2], part);
 }
 

@@ -47,48 +47,31 @@ static graze_status read_form(form *out, graze_context *context, const json *tra
     return GRAZE_OK;
 }
 
-void cut_list_init(cut_list *cuts) {
-    *cuts = (cut_list){0, 0, NULL};
-}
-
 void cut_list_clear(cut_list *cuts) {
-    for (size_t k = 0; k < cuts->capacity; k++)
-        fmpq_clear(&cuts->place[k]);
     free(cuts->place);
-    cut_list_init(cuts);
-}
-
-/* Append 0/n, 1/n, ..., n/n. */
-static graze_status add_cuts(cut_list *cuts, graze_context *context, size_t n) {
-    size_t first = cuts->capacity;
-    graze_status status = array_grow(context, &cuts->place, &cuts->capacity, cuts->count + n + 1,
-                                     sizeof *cuts->place, "the cuts of a piece");
-    for (size_t k = first; k < cuts->capacity; k++)
-        fmpq_init(&cuts->place[k]);
-    for (size_t k = 0; k <= n && status == GRAZE_OK; k++)
-        fmpq_set_si(&cuts->place[cuts->count++], (slong)k, n);
-    return status;
 }
 
 static int compare_places(const void *a, const void *b) {
-    return fmpq_cmp(a, b);
+    const cut_place *p = a, *q = b;
+    unsigned __int128 left = (unsigned __int128)p->part * q->of;
+    unsigned __int128 right = (unsigned __int128)q->part * p->of;
+    return (left > right) - (left < right);
 }
 
-static void sort_cuts(cut_list *cuts) {
-    qsort(cuts->place, cuts->count, sizeof *cuts->place, compare_places);
-    size_t kept = 1;
-    for (size_t k = 1; k < cuts->count; k++)
-        if (!fmpq_equal(&cuts->place[k], &cuts->place[kept - 1]))
-            fmpq_swap(&cuts->place[kept++], &cuts->place[k]);
-    cuts->count = kept;
+/* Add 0/n, 1/n, ..., n/n. */
+static graze_status add_cuts(cut_list *cuts, graze_context *context, size_t n) {
+    TRY(array_grow(context, &cuts->place, &cuts->capacity, cuts->count + n + 1, sizeof *cuts->place,
+                   "the cuts of a piece"));
+    for (size_t k = 0; k <= n; k++)
+        cuts->place[cuts->count++] = (cut_place){k, n};
+    cuts->count = array_sort_once(cuts->place, cuts->count, sizeof *cuts->place, compare_places);
+    return GRAZE_OK;
 }
 
 /* Is 1/n among the sorted cuts? It then came from n or a multiple of n, and all k/n are there. */
-static int has_cuts(const cut_list *cuts, const fmpz_t n) {
-    LOCAL(fmpq, first);
-    fmpz_one(fmpq_numref(first));
-    fmpz_set(fmpq_denref(first), n);
-    return bsearch(first, cuts->place, cuts->count, sizeof *cuts->place, compare_places) != NULL;
+static int has_cuts(const cut_list *cuts, size_t n) {
+    const cut_place first = {1, n};
+    return bsearch(&first, cuts->place, cuts->count, sizeof first, compare_places) != NULL;
 }
 
 static graze_status cut_turn(cut_list *cuts, graze_context *context, const json *turn) {
@@ -98,10 +81,8 @@ static graze_status cut_turn(cut_list *cuts, graze_context *context, const json 
     fmpz_abs(quarters, quarters);
     if (fmpz_cmp_ui(quarters, limit) > 0)
         return json_at(context, context_limit(context, GRAZE_LIMIT_PIECES, "quarters"), turn);
-    if (!fmpz_is_zero(quarters) && !has_cuts(cuts, quarters)) {
+    if (!fmpz_is_zero(quarters) && !has_cuts(cuts, fmpz_get_ui(quarters)))
         TRY(add_cuts(cuts, context, fmpz_get_ui(quarters)));
-        sort_cuts(cuts);
-    }
     if (cuts->count - 1 > limit)
         return json_at(context, context_limit(context, GRAZE_LIMIT_PIECES, "parts cut by turns"),
                        turn);
