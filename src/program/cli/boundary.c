@@ -53,13 +53,6 @@ typedef struct boundary_given {
     int middles, sharp, threads;
 } boundary_given;
 
-static int read_most(unsigned long *to, const char *name, const char *value, unsigned long most) {
-    if (value && (!numbers_count(to, value, 0) || *to > most))
-        return complain(EXIT_USAGE, "--%s %s: expected a whole number up to %lu", name, value,
-                        most);
-    return EXIT_DONE;
-}
-
 static int read_boundary_counts(graze_boundary_options *to, const boundary_given *o,
                                 int dimension) {
     unsigned long depth = 0, coarse = dimension == 2 ? 5 : 4;
@@ -70,11 +63,11 @@ static int read_boundary_counts(graze_boundary_options *to, const boundary_given
                                    .sharp = o->sharp,
                                    .threads = jobs_width(o->threads),
                                    .size = sizeof *to};
-    TRY(read_most(&depth, "depth", o->depth, 19));
+    TRY(numbers_within(&depth, "depth", o->depth, 0, 19));
     coarse = coarse > depth ? depth : coarse;
-    TRY(read_most(&coarse, "coarse", o->coarse, depth));
-    TRY(read_most(&to->budget, "budget", o->budget, 1000000000000));
-    TRY(read_most(&to->contacts, "contacts", o->contacts, 1000000000));
+    TRY(numbers_within(&coarse, "coarse", o->coarse, 0, depth));
+    TRY(numbers_within(&to->budget, "budget", o->budget, 0, 1000000000000));
+    TRY(numbers_within(&to->contacts, "contacts", o->contacts, 0, 1000000000));
     to->depth = (unsigned)depth;
     to->coarse = (unsigned)coarse;
     if (o->seed.given)
@@ -111,8 +104,10 @@ static int sample_boundary(const loaded *l, const boundary_given *o) {
     OWNED(graze_boundary, b);
     TRY(read_boundary_counts(&how, o, dimension));
     TRY(numbers_given(box.at, l->context, "--box", o->box, 2 * dimension));
-    if (o->surface)
-        TRY(boundary_check_surface(o->surface, dimension));
+    if (o->surface && dimension == 2 && path_has_extension(o->surface, ".stl"))
+        return complain(EXIT_USAGE,
+                        "--surface %s: STL has triangles in space; expected a name in .ply or .vtk",
+                        o->surface);
     how.low = o->box ? box.at : NULL;
     how.high = o->box ? box.at + dimension : NULL;
     TRY(complain_of_use(graze_boundary_create(&b, l->context, l->scene, &how), l->context));
@@ -156,7 +151,9 @@ static int run_boundary(void *options, const operands *given) {
     o->points = output_name(o->points, o->format ? o->format : "-.csv");
     if (o->format && o->surface != o->format && o->cells != o->format && o->points != o->format)
         return complain(EXIT_USAGE, "--format goes with a file that is -, as --surface -");
-    TRY(boundary_check_names(o->surface, o->cells, o->points));
+    TRY(value_ends_in("surface", o->surface, ".ply, .vtk or .stl"));
+    TRY(value_ends_in("cells", o->cells, ".vtk"));
+    TRY(value_ends_in("points", o->points, ".csv or .vtk"));
     ZEROED(loaded, l);
     scene_files(&o->scene, given);
     TRY(loaded_read(&l, &o->scene, EXIT_INPUT, NULL));

@@ -18,25 +18,6 @@ static output out;
 
 static const vtk lines = {{output_sink, &out}, 0};
 
-int boundary_check_names(const char *surface, const char *cells, const char *points) {
-    if (surface && !path_has_extension(surface, ".ply") && !path_has_extension(surface, ".vtk") &&
-        !path_has_extension(surface, ".stl"))
-        return complain(EXIT_USAGE, "--surface %s: expected a name in .ply, .vtk or .stl", surface);
-    if (cells && !path_has_extension(cells, ".vtk"))
-        return complain(EXIT_USAGE, "--cells %s: expected a name in .vtk", cells);
-    if (points && !path_has_extension(points, ".csv") && !path_has_extension(points, ".vtk"))
-        return complain(EXIT_USAGE, "--points %s: expected a name in .csv or .vtk", points);
-    return EXIT_DONE;
-}
-
-int boundary_check_surface(const char *surface, int dimension) {
-    if (dimension == 2 && path_has_extension(surface, ".stl"))
-        return complain(EXIT_USAGE,
-                        "--surface %s: STL has triangles in space; expected a name in .ply or .vtk",
-                        surface);
-    return EXIT_DONE;
-}
-
 typedef enum source { OF_POINTS, OF_VERTICES } source;
 
 static int put_coordinates(const graze_boundary *b, graze_context *context, int dimension,

@@ -4,6 +4,7 @@
 #include "program/cli/cli.h"
 
 #include <string.h>
+#include "base/context/scope.h"
 #include "output/report/columns.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
@@ -95,7 +96,7 @@ static const option_entry classify_table[] = {
     FILE_READ("receipt", classify_options, receipt),
     FLAG("quiet", classify_options, quiet, value_quiet),
     OPTION("limit", classify_options, scene.context.limits, value_limit),
-    {NULL, OPTION_FLAG, NULL, 0}};
+    OPTIONS_END};
 
 void classify_add_record(guard *g, const void *options, const operands *given) {
     const classify_options *o = options;
@@ -225,36 +226,23 @@ static int take_operands(classify_options *o, const operands *given) {
 int classify_take(classify_options *o, const operands *given) {
     if (o->grid.box && !o->grid.sizes)
         return complain(EXIT_USAGE, "--box goes with --grid; see graze classify --help");
-    int status = take_operands(o, given);
-    if (!status)
-        status = classify_check_files(o);
-    if (!status)
-        status = o->scene.rows.at_rest ? check_at_rest(o, given) : check_columns(o);
-    if (!status)
-        status = check_coordinates(o);
-    if (!status)
-        status = check_column_sets(o);
-    if (status)
-        return status;
+    TRY(take_operands(o, given));
+    TRY(classify_check_files(o));
+    TRY(o->scene.rows.at_rest ? check_at_rest(o, given) : check_columns(o));
+    TRY(check_coordinates(o));
+    TRY(check_column_sets(o));
     if (o->times && !o->certificate)
         return complain(EXIT_USAGE, "--times goes with --certify; see graze classify --help");
     return classify_check_table(o);
 }
 
 static int run_classify(void *options, const operands *given) {
-    int status = classify_take(options, given);
-    return status ? status : classify_run(options);
+    TRY(classify_take(options, given));
+    return classify_run(options);
 }
 
 static const classify_options whole_run = {.shard.part = {0, 1},
                                            .coordinates.form = COORDINATES_UNSET};
 
-const command command_classify = {.name = "classify",
-                                  .options = classify_table,
-                                  .size = sizeof(classify_options),
-                                  .initial = &whole_run,
-                                  .reads = 3,
-                                  .inputs = 1,
-                                  .help = classify_help,
-                                  .add_files = classify_add_record,
-                                  .run = run_classify};
+COMMAND(classify, classify_options, .initial = &whole_run, .reads = 3, .inputs = 1,
+        .add_files = classify_add_record);

@@ -134,15 +134,6 @@ static int read_frame(graze_draw_options *out, mpq_t *n, const draw_given *o, in
     return EXIT_DONE;
 }
 
-/* Read a whole number from 2 to `most`; a `text` of NULL is allowed and sets nothing. */
-static int read_picture_size(unsigned long *out, const char *option, const char *text,
-                             unsigned long most) {
-    if (text && (!numbers_count(out, text, 2) || *out > most))
-        return complain(EXIT_USAGE, "%s %s: expected a whole number from 2 to %lu", option, text,
-                        most);
-    return EXIT_DONE;
-}
-
 /* Read `none`, or a level from 1 to 19. */
 static int value_surface(void *to, const char *name, const char *value) {
     unsigned long level = 0;
@@ -164,13 +155,6 @@ static int value_title(void *to, const char *name, const char *value) {
     return value_text(to, name, value);
 }
 
-/* A given option that curved solids do not have; NULL if there is none. */
-static const char *straight_part(const draw_given *o) {
-    return o->surface > 0                    ? "draw --surface"
-           : o->by == GRAZE_DRAW_BY_DISTANCE ? "draw --by distance"
-                                             : NULL;
-}
-
 static int draw_scene(const loaded *l, const draw_given *o, const operands *given) {
     graze_draw_options what = {
         .title = o->title, .surface = o->surface, .by = o->by, .size = sizeof what};
@@ -183,15 +167,16 @@ static int draw_scene(const loaded *l, const draw_given *o, const operands *give
              motion ? motion + 1 : o->scene.motion);
     if (!o->title)
         what.title = title;
-    TRY(read_picture_size(&what.grid, "--grid", o->grid, 10000));
-    TRY(read_picture_size(&what.times, "--times", o->times, 64));
+    TRY(numbers_within(&what.grid, "grid", o->grid, 2, 10000));
+    TRY(numbers_within(&what.times, "times", o->times, 2, 64));
     TRY(read_frame(&what, n.at, o, m.dimension, l->context));
     if (o->points)
         TRY(marks_read(&m, o->points, l->context));
     TRY(marks_take_points(&m, given->repeated, given->repeated_count, l->context));
     marks_give(&what, &m);
-    if (straight_part(o))
-        TRY(load_takes(l->solid, o->scene.solid, straight_part(o), TAKES_STRAIGHT));
+    if (o->surface > 0 || o->by == GRAZE_DRAW_BY_DISTANCE)
+        TRY(load_takes(l->solid, o->scene.solid,
+                       o->surface > 0 ? "draw --surface" : "draw --by distance", TAKES_STRAIGHT));
     return complain_of_use(graze_draw(l->context, l->scene, o->output, &what), l->context);
 }
 

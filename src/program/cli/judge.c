@@ -204,12 +204,10 @@ static int run_judge(void *options, const operands *given) {
     judge_given *o = options;
     o->page = output_name(o->page, "-.html");
     o->vertices = output_name(o->vertices, "-.csv");
-    if (o->page && !path_has_extension(o->page, ".html"))
-        return complain(EXIT_USAGE, "--page %s: expected a name in .html", o->page);
+    TRY(value_ends_in("page", o->page, ".html"));
     if (o->answers && !o->points)
         return complain(EXIT_USAGE, "--answers needs points; expected --points beside it");
-    if (o->vertices && vertex_table_check(o->vertices))
-        return EXIT_USAGE;
+    TRY(value_ends_in("vertices", o->vertices, ".csv or .vtk"));
     scene_files(&o->scene, given);
     double within = o->scene.rows.sdf > 0 ? o->scene.rows.sdf : 1e-2;
     int relative = o->scene.sdf_relative || !(o->scene.rows.sdf > 0);

@@ -173,6 +173,27 @@ int value_limit(void *to, const char *name, const char *value) {
     return complain_of_limit(value);
 }
 
+int value_ends_in(const char *option, const char *path, const char *endings) {
+    for (const char *at = path ? strchr(endings, '.') : NULL; at; at = strchr(at + 1, '.')) {
+        char ending[8] = "";
+        memcpy(ending, at, strcspn(at, ", "));
+        if (path_has_extension(path, ending))
+            return EXIT_DONE;
+    }
+    return path ? complain(EXIT_USAGE, "--%s %s: expected a name in %s", option, path, endings)
+                : EXIT_DONE;
+}
+
+int numbers_within(unsigned long *to, const char *option, const char *value, unsigned long low,
+                   unsigned long most) {
+    if (!value || (numbers_count(to, value, low) && *to <= most))
+        return EXIT_DONE;
+    return low ? complain(EXIT_USAGE, "--%s %s: expected a whole number from %lu to %lu", option,
+                          value, low, most)
+               : complain(EXIT_USAGE, "--%s %s: expected a whole number up to %lu", option, value,
+                          most);
+}
+
 int value_count(void *to, const char *name, const char *value) {
     if (!numbers_count(to, value, 1))
         return complain(EXIT_USAGE, "%s%s %s: expected a whole number from 1 up",
@@ -198,10 +219,8 @@ int value_binary64(void *to, const char *name, const char *value) {
 }
 
 static int read_up_to(int *to, const char *name, const char *value, unsigned long most) {
-    unsigned long count;
-    if (!numbers_count(&count, value, 1) || count > most)
-        return complain(EXIT_USAGE, "--%s %s: expected a whole number from 1 to %lu", name, value,
-                        most);
+    unsigned long count = 0;
+    TRY(numbers_within(&count, name, value, 1, most));
     *to = (int)count;
     return EXIT_DONE;
 }
@@ -215,9 +234,5 @@ int value_digits(void *to, const char *name, const char *value) {
 }
 
 int value_show(void *to, const char *name, const char *value) {
-    unsigned long count;
-    if (!numbers_count(&count, value, 0) || count > 1000000)
-        return complain(EXIT_USAGE, "--%s %s: expected a whole number up to 1000000", name, value);
-    *(size_t *)to = count;
-    return EXIT_DONE;
+    return numbers_within(to, name, value, 0, 1000000);
 }

@@ -14,12 +14,6 @@
 
 /* Boundaries by sampling as files: PLY, legacy VTK, CSV. */
 
-/** Check that each name that is not NULL has an extension in which this kind of file can be
- * written: else EXIT_USAGE. */
-int boundary_check_names(const char *surface, const char *cells, const char *points);
-/** Refuse a surface file in .stl in dimension 2, since STL holds only triangles in space. */
-int boundary_check_surface(const char *surface, int dimension);
-
 /** Write a file in the form of its extension. Coordinates are the nearest binary64, in CSV exact.
  * Each returns an exit status and says what is wrong; EXIT_INPUT for a coordinate past the range of
  * binary64. */
@@ -277,6 +271,14 @@ option_read value_coordinates;  /**< coordinate_form */
 option_read value_digits;       /**< int from 1 to 1000 */
 option_read value_show;         /**< size_t up to 10^6 */
 
+/** Refuse a name with an extension that is not among `endings`, as ".ply, .vtk or .stl"; a path of
+ * NULL is fine. EXIT_USAGE. */
+int value_ends_in(const char *option, const char *path, const char *endings);
+
+/** Read a whole number from `low` to `most`; a value of NULL changes nothing. EXIT_USAGE. */
+int numbers_within(unsigned long *to, const char *option, const char *value, unsigned long low,
+                   unsigned long most);
+
 /** Find the place of a value among `count` words, at most 8. EXIT_USAGE: it is none of them. */
 int value_choice(int *out, const char *name, const char *value, const char *const *words,
                  int count);
@@ -336,9 +338,6 @@ int shrink_check(const validate_options *o);
 int shrink_become(const validation *v, const validate_options *o);
 
 /* The signed distances of a mesh's vertices, and its answers, as files. */
-
-/** EXIT_USAGE unless the name ends in .csv or .vtk. */
-int vertex_table_check(const char *path);
 
 /**
  * Write a row for each vertex in the mesh's order: x, y, z, pmc, sdf_low, sdf_high; or a VTK file

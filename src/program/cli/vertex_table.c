@@ -13,12 +13,6 @@ static output out;
 
 static const vtk lines = {{output_sink, &out}, 0};
 
-int vertex_table_check(const char *path) {
-    return path_has_extension(path, ".csv") || path_has_extension(path, ".vtk")
-               ? EXIT_DONE
-               : complain(EXIT_USAGE, "--vertices %s: expected a name in .csv or .vtk", path);
-}
-
 /* Put a bound, moved outwards by one double, so that rounding to 17 digits leaves it a bound. */
 static void put_outward(double bound, double out_there, const char *behind) {
     output_format(&out, "%.17g%s", bound == 0 ? 0 : nextafter(bound, out_there), behind);

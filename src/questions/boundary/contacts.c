@@ -22,7 +22,7 @@ static uint64_t place_of(const uint32_t at[3], int dimension, unsigned bits) {
     return out;
 }
 
-static int compare_places(const void *a, const void *b) {
+static int compare_codes(const void *a, const void *b) {
     const uint64_t *x = a, *y = b;
     return *x < *y ? -1 : *x > *y;
 }
@@ -30,7 +30,7 @@ static int compare_places(const void *a, const void *b) {
 int sample_cell_has_contact(const struct graze_boundary *b, const sample_cell *c) {
     unsigned below = (b->depth - c->level) * (unsigned)b->dimension;
     uint64_t first = place_of(c->at, b->dimension, c->level) << below;
-    size_t at = array_first(&first, b->contacts, b->contact_count, sizeof first, compare_places);
+    size_t at = array_first(&first, b->contacts, b->contact_count, sizeof first, compare_codes);
     return at < b->contact_count && b->contacts[at] - first < (uint64_t)1 << below;
 }
 
@@ -73,7 +73,7 @@ static graze_status ask_rows(graze_context *context, struct graze_boundary *b,
         TRY(ask(context, b, s.point));
     }
     if (b->contact_count)
-        qsort(b->contacts, b->contact_count, sizeof *b->contacts, compare_places);
+        qsort(b->contacts, b->contact_count, sizeof *b->contacts, compare_codes);
     return GRAZE_OK;
 }
 
