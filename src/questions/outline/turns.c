@@ -27,7 +27,7 @@ typedef struct border {
     algebraic *at; /* the parameter of the last crossing, which is on `side` */
 } border;
 
-/* Of each side: the coordinate that is constant, and its entry of `end`. */
+/* The coordinate that is constant on each side, and its entry of `end`. */
 static const int side_axis[] = {1, 0, 1, 0}, side_end[] = {1, 2, 3, 0};
 
 /* Is a number in the box's range on an axis? */
