@@ -103,13 +103,9 @@ static void to_motion_parameter(fmpz_poly_t out, const fmpz_poly_t p, const moti
 
 static void bounds_in_motion_parameter(fmpq_t low, fmpq_t high, const graze_time *time) {
     const motion_piece *piece = &time->motion->piece[time->piece];
-    LOCAL(fmpq, width);
-    fmpq_sub(width, piece->hi, piece->lo);
     algebraic_bounds(low, high, &time->u);
-    fmpq_mul(low, low, width);
-    fmpq_add(low, low, piece->lo);
-    fmpq_mul(high, high, width);
-    fmpq_add(high, high, piece->lo);
+    motion_time(low, piece, low);
+    motion_time(high, piece, high);
 }
 
 static void set_rational_time(graze_time *time, const fmpq_t value) {

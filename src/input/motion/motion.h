@@ -62,6 +62,12 @@ void point_map_at(fmpq *out, const point_map *map, const fmpq_t u);
 
 /** The sign of the determinant of an affine map as point_map_at gives it. */
 int affine_orientation(const fmpq *map, int d);
+/** The image of a point under such a map; `out` is not the point. */
+void affine_image(fmpq *out, const fmpq *map, const fmpq *point, int d);
+
+/** u of the time t, and t of the parameter u, on a piece; `out` may be the other number. */
+void motion_parameter(fmpq_t out, const motion_piece *piece, const fmpq_t t);
+void motion_time(fmpq_t out, const motion_piece *piece, const fmpq_t u);
 
 void motion_destroy(graze_motion *motion);
 

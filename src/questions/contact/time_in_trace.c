@@ -15,13 +15,9 @@
 /* Set *out to the sign of (time - t), for a time of the trace. */
 static graze_status compare_to_site(int *out, graze_context *context, graze_time *time,
                                     const graze_site *s) {
-    const motion_piece *piece = &s->scene->motion->piece[time->piece];
-    LOCAL_VEC(fmpq, u, 2);
-    fmpq *width = u + 1;
+    LOCAL(fmpq, u);
     HELD(algebraic, own);
-    fmpq_sub(u, s->t, piece->lo);
-    fmpq_sub(width, piece->hi, piece->lo);
-    fmpq_div(u, u, width);
+    motion_parameter(u, &s->scene->motion->piece[time->piece], s->t);
     algebraic_set_rational(&own, u);
     return algebraic_compare(out, context, &time->u, &own);
 }

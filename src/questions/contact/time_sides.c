@@ -1,5 +1,7 @@
-/* Pieces beside a time. Two pieces of one rational function, as where a motion was cut, make no
- * break.
+/* Pieces beside a time, and velocity and acceleration of the trajectory c of a point P there.
+ *
+ * A c + b = P is constant: A'c + A c' + b' = 0 and A''c + 2 A'c' + A c'' + b'' = 0. Two pieces of
+ * one rational function, as where a motion was cut, make no break.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/contact/contact.h"
@@ -9,21 +11,14 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
+#include "base/number/vector.h"
 #include "input/motion/motion.h"
 #include "questions/contact/nearby.h"
-
-/* The parameter u of a piece at the time t. */
-static void parameter_at(fmpq_t out, const motion_piece *piece, const fmpq_t t) {
-    LOCAL(fmpq, width);
-    fmpq_sub(width, piece->hi, piece->lo);
-    fmpq_sub(out, t, piece->lo);
-    fmpq_div(out, out, width);
-}
 
 static void set_side(site_side *side, const graze_motion *motion, size_t piece, const fmpq_t t) {
     side->present = 1;
     side->piece = piece;
-    parameter_at(side->u, &motion->piece[piece], t);
+    motion_parameter(side->u, &motion->piece[piece], t);
 }
 
 /* first(u) second_weight(shift(u)) = second(shift(u)) first_weight(u) */
@@ -50,8 +45,8 @@ static int is_one_function(const motion_piece *first, const motion_piece *second
     LOCAL_VEC(fmpq, at_zero, 2);
     fmpq *at_one = at_zero + 1;
     LOCAL(fmpq_poly, shift);
-    parameter_at(at_zero, second, first->lo);
-    parameter_at(at_one, second, first->hi);
+    motion_parameter(at_zero, second, first->lo);
+    motion_parameter(at_one, second, first->hi);
     fmpq_poly_set_coeff_fmpq(shift, 0, at_zero);
     fmpq_sub(at_one, at_one, at_zero);
     fmpq_poly_set_coeff_fmpq(shift, 1, at_one);
@@ -91,4 +86,107 @@ graze_status sides_find(site_side side[2], graze_context *context, const graze_m
 int sides_break(const site_side side[2], const graze_motion *motion) {
     return side[0].present && side[1].present && side[0].piece != side[1].piece &&
            !is_one_function(&motion->piece[side[0].piece], &motion->piece[side[1].piece]);
+}
+
+/* Value and first two derivatives of a polynomial at u. */
+static void jet_of(fmpq *out, const fmpz_poly_struct *p, const fmpq_t u) {
+    LOCAL(fmpz_poly, q);
+    fmpz_poly_set(q, p);
+    for (int k = 0; k < 3; k++) {
+        fmpz_poly_evaluate_fmpq(out + k, q, u);
+        fmpz_poly_derivative(q, q);
+    }
+}
+
+/* First and second derivative of x / w from the values and derivatives of both. */
+static void quotient_derivatives(fmpq_t first, fmpq_t second, const fmpq *x, const fmpq *w) {
+    LOCAL(fmpq, value);
+    fmpq_div(value, x, w);
+    fmpq_set(first, x + 1);
+    fmpq_submul(first, value, w + 1);
+    fmpq_div(first, first, w);
+    fmpq_set(second, x + 2);
+    fmpq_submul(second, first, w + 1);
+    fmpq_submul(second, first, w + 1);
+    fmpq_submul(second, value, w + 2);
+    fmpq_div(second, second, w);
+}
+
+/* Derivatives of a map's entries by t at the parameter u of a piece. */
+static void entry_derivatives(fmpq *first, fmpq *second, const motion_piece *piece,
+                              const fmpq_t u) {
+    const point_map *map = &piece->forward;
+    LOCAL_VEC(fmpq, x, 7);
+    fmpq *w = x + 3, *width = x + 6;
+    fmpq_sub(width, piece->hi, piece->lo);
+    jet_of(w, map->weight, u);
+    for (int k = 0; k < map->dimension * (map->dimension + 1); k++) {
+        jet_of(x, &map->entry[k], u);
+        quotient_derivatives(first + k, second + k, x, w);
+        fmpq_div(first + k, first + k, width);
+        fmpq_div(second + k, second + k, width);
+        fmpq_div(second + k, second + k, width);
+    }
+}
+
+/* out = `sign` times L b, L the linear part of a; all are matrices of d rows and d + 1 columns. */
+static void multiply_linear(fmpq *out, int sign, const fmpq *a, const fmpq *b, int d) {
+    for (int i = 0; i < d; i++)
+        for (int c = 0; c <= d; c++) {
+            fmpq *entry = out + i * (d + 1) + c;
+            fmpq_zero(entry);
+            for (int j = 0; j < d; j++)
+                (sign < 0 ? fmpq_submul : fmpq_addmul)(entry, a + i * (d + 1) + j,
+                                                       b + j * (d + 1) + c);
+        }
+}
+
+void flow_init(flow *out, const motion_piece *piece, const fmpq_t u) {
+    int d = piece->forward.dimension, n = d * (d + 1);
+    LOCAL_VEC(fmpq, inverse, 4 * n);
+    fmpq *first = inverse + n, *second = first + n, *turned = second + n,
+         *w = _fmpq_vec_init(3 * n);
+    *out = (flow){.dimension = d, .w = w, .bend = w + n, .drift = w + 2 * n};
+    point_map_at(inverse, &piece->inverse, u);
+    entry_derivatives(first, second, piece, u);
+    multiply_linear(out->w, -1, inverse, first, d);
+    /* drift = A^-1 (A'' y + b'' + A'w), bend = -A^-1 (A'' y + b'' + 2 A'w) */
+    multiply_linear(turned, 1, first, out->w, d);
+    vector_add(second, second, turned, n);
+    multiply_linear(out->drift, 1, inverse, second, d);
+    vector_add(second, second, turned, n);
+    multiply_linear(out->bend, -1, inverse, second, d);
+    out->orientation = affine_orientation(inverse, d);
+}
+
+void flow_clear(flow *f) {
+    if (f->w)
+        _fmpq_vec_clear(f->w, 3 * f->dimension * (f->dimension + 1));
+    f->w = NULL;
+}
+
+void flow_along(fmpq_t out, const fmpz *normal, const fmpq *field, const fmpq *y, int dimension) {
+    LOCAL_VEC(fmpq, image, dimension);
+    affine_image(image, field, y, dimension);
+    vector_dot_integers(out, normal, image, dimension);
+}
+
+int sides_within_piece(const site_side side[2]) {
+    return side[0].present && side[1].present && side[0].piece == side[1].piece;
+}
+
+void sides_add_flows(site_side side[2], const graze_motion *motion) {
+    for (int k = sides_within_piece(side); k < 2; k++)
+        if (side[k].present)
+            flow_init(&side[k].flow, &motion->piece[side[k].piece], side[k].u);
+}
+
+const flow *sides_flow(const site_side side[2], int k) {
+    return &side[k || sides_within_piece(side)].flow;
+}
+
+void sides_speed(fmpq_t out, const site_side side[2], int k, const fmpz *normal, const fmpq *y) {
+    const flow *f = sides_flow(side, k);
+    flow_along(out, normal, f->w, y, f->dimension);
+    fmpq_neg(out, out);
 }
