@@ -48,12 +48,12 @@ void neighborhood_clear(neighborhood *p);
 /**
  * For M = A x + b and a body point y, by the motion's parameter t: with V = A'y + b', `w` is -A^-1
  * V, which is c' for the trajectory c of the point P = M(t) y, `bend` is c'', and `drift` is the
- * derivative of A^-1 V at fixed y. Each is an affine map of y: d rows of d + 1 rationals, as
- * point_map_at gives them. `orientation` is the sign of det A.
+ * derivative of A^-1 V at fixed y. Each is an affine map of y: d rows of d + 1 integers, and
+ * behind these their common denominator, positive. `orientation` is the sign of det A.
  */
 typedef struct flow {
     int dimension, orientation;
-    fmpq *w, *bend, *drift;
+    fmpz *w, *bend, *drift;
 } flow;
 
 /** Make the flow at the parameter u of a piece (proofs/envelope.md C58). */
@@ -62,7 +62,7 @@ void flow_init(flow *out, const motion_piece *piece, const fmpq_t u);
 void flow_clear(flow *f);
 
 /** The inner product of an integer normal and the value of a flow's map at y. */
-void flow_along(fmpq_t out, const fmpz *normal, const fmpq *map, const fmpq *y, int dimension);
+void flow_along(fmpq_t out, const fmpz *normal, const fmpz *map, const fmpq *y, int dimension);
 
 /* Record of a site. */
 

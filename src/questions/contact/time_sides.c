@@ -8,6 +8,7 @@
 
 #include <flint/fmpq_poly.h>
 #include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
@@ -143,32 +144,38 @@ static void multiply_linear(fmpq *out, int sign, const fmpq *a, const fmpq *b, i
 
 void flow_init(flow *out, const motion_piece *piece, const fmpq_t u) {
     int d = piece->forward.dimension, n = d * (d + 1);
-    LOCAL_VEC(fmpq, inverse, 4 * n);
-    fmpq *first = inverse + n, *second = first + n, *turned = second + n,
-         *w = _fmpq_vec_init(3 * n);
-    *out = (flow){.dimension = d, .w = w, .bend = w + n, .drift = w + 2 * n};
+    LOCAL_VEC(fmpq, inverse, 7 * n);
+    fmpq *first = inverse + n, *second = first + n, *turned = second + n;
+    fmpq *w = turned + n, *bend = w + n, *drift = bend + n;
+    fmpz *map = _fmpz_vec_init(3 * (n + 1));
+    *out = (flow){.dimension = d, .w = map, .bend = map + n + 1, .drift = map + 2 * (n + 1)};
     point_map_at(inverse, &piece->inverse, u);
     entry_derivatives(first, second, piece, u);
-    multiply_linear(out->w, -1, inverse, first, d);
+    multiply_linear(w, -1, inverse, first, d);
     /* drift = A^-1 (A'' y + b'' + A'w), bend = -A^-1 (A'' y + b'' + 2 A'w) */
-    multiply_linear(turned, 1, first, out->w, d);
+    multiply_linear(turned, 1, first, w, d);
     vector_add(second, second, turned, n);
-    multiply_linear(out->drift, 1, inverse, second, d);
+    multiply_linear(drift, 1, inverse, second, d);
     vector_add(second, second, turned, n);
-    multiply_linear(out->bend, -1, inverse, second, d);
+    multiply_linear(bend, -1, inverse, second, d);
+    for (int k = 0; k < 3; k++)
+        _fmpq_vec_get_fmpz_vec_fmpz(map + k * (n + 1), map + k * (n + 1) + n, w + k * n, n);
     out->orientation = affine_orientation(inverse, d);
 }
 
 void flow_clear(flow *f) {
     if (f->w)
-        _fmpq_vec_clear(f->w, 3 * f->dimension * (f->dimension + 1));
+        _fmpz_vec_clear(f->w, 3 * (f->dimension * (f->dimension + 1) + 1));
     f->w = NULL;
 }
 
-void flow_along(fmpq_t out, const fmpz *normal, const fmpq *field, const fmpq *y, int dimension) {
-    LOCAL_VEC(fmpq, image, dimension);
-    affine_image(image, field, y, dimension);
-    vector_dot_integers(out, normal, image, dimension);
+void flow_along(fmpq_t out, const fmpz *normal, const fmpz *map, const fmpq *y, int dimension) {
+    LOCAL_VEC(fmpz, form, dimension + 1);
+    for (int i = 0; i < dimension; i++)
+        _fmpz_vec_scalar_addmul_fmpz(form, map + i * (dimension + 1), dimension + 1, normal + i);
+    vector_dot_integers(out, form, y, dimension);
+    fmpq_add_fmpz(out, out, form + dimension);
+    fmpq_div_fmpz(out, out, map + dimension * (dimension + 1));
 }
 
 int sides_within_piece(const site_side side[2]) {
