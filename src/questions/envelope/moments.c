@@ -1,6 +1,8 @@
 /* Merges the times of events with the ends and breaks of the motion, and lists them by the cells
  * that the events name; velocities at a time between moments.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
@@ -98,17 +100,28 @@ static int parameter_within(fmpq_t u, const graze_envelope *e, size_t piece, con
     return 1;
 }
 
+/* Evaluate the polynomials of a field, as a map of a flow. */
+static void evaluate_entries(fmpz *out, const fmpz_poly_struct *entry, int count, const fmpq_t u) {
+    LOCAL_VEC(fmpq, value, count);
+    for (int k = 0; k < count; k++)
+        fmpz_poly_evaluate_fmpq(value + k, entry + k, u);
+    _fmpq_vec_get_fmpz_vec_fmpz(out, out + count, value, count);
+}
+
 graze_status snapshot_make(snapshot *out, graze_context *context, const graze_envelope *e,
                            const fmpq_t t) {
-    int found = 0;
-    *out = (snapshot){.e = e, .dimension = e->cells.dimension};
+    int d = e->cells.dimension, count = d * (d + 1), found = 0;
+    *out = (snapshot){.e = e, .dimension = d, .velocity = _fmpz_vec_init(2 * (count + 1))};
+    out->bend = out->velocity + count + 1;
     fmpq_init(out->t);
     fmpq_set(out->t, t);
     LOCAL(fmpq, u);
     for (size_t piece = 0; piece < e->piece_count && !found; piece++) {
         found = parameter_within(u, e, piece, t);
-        if (found)
-            flow_init(&out->flow, &e->scene->motion->piece[piece], u);
+        if (found) {
+            evaluate_entries(out->velocity, e->field[piece].entry[0], count, u);
+            evaluate_entries(out->bend, e->field[piece].entry[1], count, u);
+        }
     }
     return found ? GRAZE_OK
                  : context_fail(context, GRAZE_EINPUT,
@@ -118,7 +131,8 @@ graze_status snapshot_make(snapshot *out, graze_context *context, const graze_en
 
 void snapshot_clear(snapshot *s) {
     fmpq_clear(s->t);
-    flow_clear(&s->flow);
+    if (s->velocity)
+        _fmpz_vec_clear(s->velocity, 2 * (s->dimension * (s->dimension + 1) + 1));
 }
 
 static const fmpz *snapshot_normal(const snapshot *s, size_t facet) {
@@ -126,7 +140,7 @@ static const fmpz *snapshot_normal(const snapshot *s, size_t facet) {
 }
 
 void snapshot_g(fmpq_t out, const snapshot *s, size_t facet, const fmpq *y) {
-    flow_along(out, snapshot_normal(s, facet), s->flow.w, y, s->dimension);
+    flow_along(out, snapshot_normal(s, facet), s->velocity, y, s->dimension);
     fmpq_neg(out, out);
 }
 
@@ -138,7 +152,7 @@ int snapshot_g_sign(const snapshot *s, size_t facet, const fmpq *y) {
 
 int snapshot_theta_sign(const snapshot *s, size_t facet, const fmpq *y) {
     LOCAL(fmpq, value);
-    flow_along(value, snapshot_normal(s, facet), s->flow.bend, y, s->dimension);
+    flow_along(value, snapshot_normal(s, facet), s->bend, y, s->dimension);
     return fmpq_sgn(value);
 }
 

@@ -117,12 +117,13 @@ graze_status limits_find(graze_patches *p, graze_context *context, const place_l
 
 /* Velocities of all points of the body at one time. */
 
-/** A time at which the motion is smooth, and the derivatives of trajectories there. */
+/** A time at which the motion is smooth, and c' and c'' of the trajectories there, times a positive
+ * number each, as maps of a flow. */
 typedef struct snapshot {
     const graze_envelope *e;
     int dimension;
     fmpq_t t;
-    flow flow;
+    fmpz *velocity, *bend;
 } snapshot;
 
 /** @param[out] out uninitialised; snapshot_clear in any case
@@ -131,7 +132,7 @@ graze_status snapshot_make(snapshot *out, graze_context *context, const graze_en
                            const fmpq_t t);
 void snapshot_clear(snapshot *s);
 
-/** g of a facet at point y of the body. */
+/** g of a facet at point y of the body, times a positive number that is the same for all points. */
 void snapshot_g(fmpq_t out, const snapshot *s, size_t facet, const fmpq *y);
 int snapshot_g_sign(const snapshot *s, size_t facet, const fmpq *y);
 /** The sign of theta of a facet at point y. */
