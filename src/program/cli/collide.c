@@ -30,6 +30,10 @@ static const char collide_help[] =
     "those\n"
     "                       with points at distance R. Both keep R >= 0 apart (default 0: as "
     "above)\n"
+    "  --closest TOL        also the least distance, between two numbers at most TOL apart (1e-10, "
+    "or\n"
+    "                       1e-10r of both sizes), with a time and a point of each, and `wide` if "
+    "not\n"
     "  --ask any|overlap    what exit status 1 tells: touch or overlap (default), overlap alone\n"
     "  --inside             does MOVING stay inside FIXED? `inside`, `inside, touching`, or when "
     "it\n"
@@ -57,6 +61,7 @@ static const option_entry collide_table[] = {
     FLAG("first", collide_given, pair.first, value_flag),
     OPTION("ask", collide_given, overlap_alone, value_ask),
     FLAG("inside", collide_given, pair.question, value_flag),
+    OPTION("closest", collide_given, pair, value_closest),
     OPTION("clearance", collide_given, clearance, value_width),
     FILE_READ("motion-of-fixed", collide_given, motion_of_fixed),
     OPTION("format", collide_given, format, value_report),
@@ -81,6 +86,9 @@ static int run_collide(void *given_options, const operands *given) {
     if (o->pair.first && o->overlap_alone)
         return complain(EXIT_USAGE, "--first ends before an overlap is known; expected --first or "
                                     "--ask overlap");
+    if (o->pair.closest > 0 && (o->pair.first || o->overlap_alone || o->pair.question))
+        return complain(EXIT_USAGE, "--closest looks at the whole motion of one solid outside the "
+                                    "other; expected no --first, --ask overlap or --inside");
     OWNED(graze_context, context);
     OWNED(graze_solid, moving);
     OWNED(graze_solid, fixed);
