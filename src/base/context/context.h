@@ -77,6 +77,11 @@ graze_status context_poll(graze_context *context);
  */
 graze_status context_work(graze_context *context, unsigned long work);
 
+/** The name of an enum's value: names[value], or "none" for a value beyond `count` or without a
+ * name.
+ */
+const char *name_at(const char *const *names, size_t count, size_t value);
+
 #ifdef __cplusplus
 }
 #endif

@@ -13,6 +13,7 @@
 #ifndef GRAZE_SCOPE_H
 #define GRAZE_SCOPE_H
 
+#include <fenv.h>
 #include <mpfr.h>
 #include <flint/fmpq.h>
 #include <flint/fmpq_mat.h>
@@ -28,7 +29,6 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/environment.h"
 
 /** LOCAL(fmpq, x): `fmpq_t x`, initialised; LOCAL(fmpq_mat, m, 3, 3): fmpq_mat_init(m, 3, 3). */
 #define LOCAL(type, name, ...)                                                                     \
@@ -72,6 +72,37 @@
         if (tried)                                                                                 \
             return tried;                                                                          \
     } while (0)
+
+/* The floating-point environment of Graze: to nearest, no traps, subnormals kept, MPFR's default
+ * range of exponents, whatever the host's is. FLINT's modular arithmetic and CGAL's filters need
+ * rounding to nearest; under another mode FLINT factors wrongly. Every public function that
+ * computes opens with PUBLIC (api/api.h) or IN_ENVIRONMENT. */
+
+/** The host's settings: rounding mode, traps, flushing of subnormals, exception flags, and MPFR's
+ * range of exponents. */
+typedef struct environment {
+    fenv_t host;
+    mpfr_exp_t least, largest;
+} environment;
+
+/** Set the default environment for this thread. @return the host's settings, for environment_leave
+ */
+static inline environment environment_enter(void) {
+    environment saved;
+    fegetenv(&saved.host);
+    fesetenv(FE_DFL_ENV);
+    saved.least = mpfr_get_emin();
+    saved.largest = mpfr_get_emax();
+    mpfr_set_emin(MPFR_EMIN_DEFAULT);
+    mpfr_set_emax(MPFR_EMAX_DEFAULT);
+    return saved;
+}
+
+static inline void environment_leave(const environment *saved) {
+    fesetenv(&saved->host);
+    mpfr_set_emin(saved->least);
+    mpfr_set_emax(saved->largest);
+}
 
 /** Enter Graze's floating-point environment; the host's returns at the end of the scope. */
 #define IN_ENVIRONMENT()                                                                           \

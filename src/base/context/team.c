@@ -11,7 +11,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 
 typedef struct team {
     team_work work;

@@ -11,8 +11,7 @@
 #include "base/number/text.h"
 
 char *decimal_layout(int negative, const char *digits, size_t count, slong exponent, int strip) {
-    text t;
-    text_init(&t);
+    HELD(text, t);
     size_t shown = count;
     while (strip && shown > 1 && digits[shown - 1] == '0')
         shown--;
@@ -36,9 +35,7 @@ char *decimal_layout(int negative, const char *digits, size_t count, slong expon
             text_bytes(&t, digits + whole, shown - whole);
         }
     }
-    if (t.failed)
-        text_clear(&t);
-    return t.data;
+    return text_take(&t);
 }
 
 char *decimal_finite(int *finite, const fmpq_t value) {

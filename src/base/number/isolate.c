@@ -15,18 +15,6 @@
 static graze_status roots_inside(const root_search *s, bernstein_form *form,
                                  const dyadic_interval *interval);
 
-/* Append the roots of poly / g in the interval; g is the common factor of poly and its derivative.
- */
-static graze_status cluster_of_quotient(const root_search *s, const dyadic_interval *interval,
-                                        const fmpz_poly_t g) {
-    LOCAL(fmpz_poly, squarefree);
-    fmpz_poly_div(squarefree, s->poly, g);
-    root_search of = {s->list, s->context, squarefree, s->whole};
-    return root_search_cluster(&of, interval,
-                               dyadic_sign(squarefree, interval->low, interval->exponent),
-                               dyadic_sign(squarefree, interval->high, interval->exponent));
-}
-
 /* Approximate coefficients, unlike exact ones, do not reveal a repeated root at an end of the
  * interval. The search is certain to end without repeated factors (C42), so these are divided out.
  */
@@ -36,8 +24,14 @@ static graze_status search_cluster(const root_search *s, const dyadic_interval *
     LOCAL(fmpz_poly, g);
     fmpz_poly_derivative(derivative, s->poly);
     TRY(common_factor_work(s->context, s->poly, derivative));
-    return common_factor(g, s->poly, derivative) > 0 ? cluster_of_quotient(s, interval, g)
-                                                     : root_search_cluster(s, interval, low, high);
+    if (common_factor(g, s->poly, derivative) <= 0)
+        return root_search_cluster(s, interval, low, high);
+    LOCAL(fmpz_poly, squarefree);
+    fmpz_poly_div(squarefree, s->poly, g);
+    root_search of = {s->list, s->context, squarefree, s->whole};
+    return root_search_cluster(&of, interval,
+                               dyadic_sign(squarefree, interval->low, interval->exponent),
+                               dyadic_sign(squarefree, interval->high, interval->exponent));
 }
 
 /* Append the roots in both halves and at the point between them, ascending. The form of an empty
@@ -107,15 +101,6 @@ static void append_linear_root(algebraic_list *list, const fmpz_poly_t p,
     fmpq_neg(x->value, x->value);
 }
 
-/* Append the roots of p / g, which has no repeated factor. */
-static graze_status append_roots_of_quotient(algebraic_list *list, graze_context *context,
-                                             const fmpz_poly_t p, const fmpz_poly_t g,
-                                             const dyadic_interval *interval) {
-    LOCAL(fmpz_poly, squarefree);
-    fmpz_poly_div(squarefree, p, g);
-    return algebraic_roots(list, context, squarefree, interval);
-}
-
 /* Narrow the interval of x until it does not contain r; *behind becomes 1 if x > r, else 0. */
 static graze_status exclude(int *behind, graze_context *context, algebraic *x, const fmpq_t r) {
     ulong gain = FIRST_GAIN;
@@ -181,9 +166,11 @@ static graze_status repeated_roots(algebraic_list *list, graze_context *context,
         TRY(roots_beside_fraction(&done, list, context, p, interval, &part));
     if (done)
         return GRAZE_OK;
-    return !coprime && common_factor(g, p, derivative) > 0
-               ? append_roots_of_quotient(list, context, p, g, interval)
-               : append_roots(&(root_search){list, context, p, interval}, form);
+    if (coprime || common_factor(g, p, derivative) <= 0)
+        return append_roots(&(root_search){list, context, p, interval}, form);
+    LOCAL(fmpz_poly, squarefree);
+    fmpz_poly_div(squarefree, p, g);
+    return algebraic_roots(list, context, squarefree, interval);
 }
 
 /* Append the roots of a polynomial of degree two or more. */

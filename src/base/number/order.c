@@ -116,7 +116,6 @@ graze_status algebraic_compare(int *out, graze_context *context, algebraic *x, a
         }
         TRY(narrow_wider(context, x, y, steps / 2, gain));
     }
-    return GRAZE_OK;
 }
 
 /* The dyadic number with the least exponent strictly between two rationals a < b, the least of them

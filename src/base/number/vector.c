@@ -24,10 +24,10 @@ void vector_middle(fmpq *out, const fmpq *a, const fmpq *b, int dimension) {
 }
 
 int vector_is_zero(const fmpq *a, int dimension) {
-    int zero = 1;
-    for (int i = 0; i < dimension && zero; i++)
-        zero = fmpq_is_zero(a + i);
-    return zero;
+    int i = 0;
+    while (i < dimension && fmpq_is_zero(a + i))
+        i++;
+    return i == dimension;
 }
 
 int vector_widest(fmpq_t size, const fmpq *a, int dimension) {

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "base/context/array.h"
-#include "base/context/input.h"
+#include "base/context/file.h"
 #include "base/context/scope.h"
 
 /* Bytes of the buffer at first; fewer for a file that is reopened, since there may be many. */

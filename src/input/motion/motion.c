@@ -78,3 +78,22 @@ void point_map_at(fmpq *out, const point_map *map, const fmpq_t u) {
         fmpq_div(&out[k], &out[k], weight);
     }
 }
+
+int point_map_scale(fmpz_poly_t out, const point_map *map) {
+    int d = map->dimension;
+    LOCAL(fmpz_poly, sum);
+    LOCAL(fmpz_poly, term);
+    for (int i = 0; i < d; i++)
+        for (int j = i; j < d; j++) {
+            fmpz_poly_zero(sum);
+            for (int k = 0; k < d; k++) {
+                fmpz_poly_mul(term, &map->entry[k * (d + 1) + i], &map->entry[k * (d + 1) + j]);
+                fmpz_poly_add(sum, sum, term);
+            }
+            if (i == 0 && j == 0)
+                fmpz_poly_set(out, sum);
+            else if (i == j ? !fmpz_poly_equal(sum, out) : !fmpz_poly_is_zero(sum))
+                return 0;
+        }
+    return 1;
+}

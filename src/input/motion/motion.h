@@ -66,6 +66,10 @@ void point_map_set(point_map *out, const point_map *map);
  */
 void point_map_at(fmpq *out, const point_map *map, const fmpq_t u);
 
+/** Set the square of the factor by which a map multiplies all lengths, times the square of its
+ * weight; 0 if the map changes their ratios. */
+int point_map_scale(fmpz_poly_t out, const point_map *map);
+
 /** The sign of the determinant of an affine map as point_map_at gives it. */
 int affine_orientation(const fmpq *map, int d);
 

@@ -40,26 +40,18 @@ static void put_witness(text *t, const topo_finding *topo, graze_pmc pmc, int di
     }
 }
 
-static void explain_finding(text *t, const topo_finding *topo, const char *answer, graze_pmc pmc,
-                            int dimension) {
+void closed_explain(text *t, const topo_finding *topo, int is_regular, int dimension) {
     const char *meaning = meanings[topo->level][topo->position == GRAZE_TOPO_BOUNDARY];
+    sentence_put(t, is_regular ? "closed-regular" : "closed");
     if (topo->position == GRAZE_TOPO_UNDECIDED) {
         put_undecided(t, topo);
         return;
     }
-    sentence_put(t, "closed-is", answer, graze_topo_level_name(topo->level));
+    sentence_put(t, "closed-is",
+                 is_regular ? graze_regular_name(topo->position) : graze_topo_name(topo->position),
+                 graze_topo_level_name(topo->level));
     if (meaning)
         sentence_put(t, "closed-means", meaning);
     if (topo->has_witness)
-        put_witness(t, topo, pmc, dimension);
-}
-
-void closed_explain(text *t, const topo_finding *topo, int dimension) {
-    sentence_put(t, "closed");
-    explain_finding(t, topo, graze_topo_name(topo->position), GRAZE_OUT, dimension);
-}
-
-void closed_explain_regular(text *t, const topo_finding *regular, int dimension) {
-    sentence_put(t, "closed-regular");
-    explain_finding(t, regular, graze_regular_name(regular->position), GRAZE_IN, dimension);
+        put_witness(t, topo, is_regular ? GRAZE_IN : GRAZE_OUT, dimension);
 }

@@ -34,8 +34,9 @@ static void json_boundary(json_writer *w, const row *r) {
     json_bound(w, "boundary_low", r->boundary, 0);
 }
 
+/* Does the point have the same pmc for every motion within the error? */
 static const char *certain_word(const row *r) {
-    return report_certainty(&r->space, r->shown->motion_error);
+    return distance_is_certain(&r->space, r->shown->motion_error) ? "yes" : "undecided";
 }
 
 static void json_certain(json_writer *w, const row *r) {

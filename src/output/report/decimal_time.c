@@ -119,12 +119,6 @@ void report_put_time(text *t, const graze_time *time) {
 
 enum { NEAR_DIGITS = 17 };
 
-void report_put_rational_near(text *t, const fmpq_t value) {
-    text_rational(t, value);
-    text_put(t, ",");
-    text_owned(t, decimal_of_rational(NULL, value, NEAR_DIGITS));
-}
-
 void report_put_time_near(text *t, const graze_time *time) {
     report_put_time(t, time);
     text_put(t, ",");

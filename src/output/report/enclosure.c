@@ -48,18 +48,6 @@ static int rational_time(fmpq_t out, const graze_scene *scene, const distance *f
     return 1;
 }
 
-void report_distance_time(text *out, const graze_scene *scene, const distance *found) {
-    LOCAL(fmpq, time);
-    if (rational_time(time, scene, found))
-        text_rational(out, time);
-    else
-        text_owned(out, decimal_of_time(NULL, found->at, DECIMAL_DIGITS));
-}
-
-const char *report_certainty(const distance *found, double motion_error) {
-    return distance_is_certain(found, motion_error) ? "yes" : "undecided";
-}
-
 void report_distance(text *out, const row *r) {
     char low[BOUND_ROOM], high[BOUND_ROOM];
     report_bound(low, r->space.low, 0);
@@ -68,7 +56,11 @@ void report_distance(text *out, const row *r) {
     if (r->shown->at_rest)
         return;
     text_put(out, ",");
-    report_distance_time(out, r->scene, &r->space);
+    LOCAL(fmpq, time);
+    if (rational_time(time, r->scene, &r->space))
+        text_rational(out, time);
+    else
+        text_owned(out, decimal_of_time(NULL, r->space.at, DECIMAL_DIGITS));
 }
 
 void explain_distance(text *out, const graze_scene *scene, const distance *found) {

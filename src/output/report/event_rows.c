@@ -7,22 +7,6 @@
 #include "output/report/row_parts.h"
 #include "questions/envelope/envelope.h"
 
-const char *report_sign(int sign) {
-    return sign == GRAZE_SIGN_ABSENT ? "" : sign > 0 ? "+" : sign < 0 ? "-" : "0";
-}
-
-void report_event(text *out, const graze_envelope *envelope, const found_event *event) {
-    report_put_time_near(out, envelope->events.time[event->time]);
-    text_format(out, ",%s,", graze_event_kind_name(event->kind));
-    report_put_cell(out, &event->facet);
-    if (event->other.kind)
-        text_put(out, " and ");
-    report_put_cell(out, &event->other);
-    text_put(out, ",");
-    report_put_cell(out, &event->cell);
-    text_format(out, ",%s,%s\n", report_sign(event->before), report_sign(event->after));
-}
-
 static const char *known_name(const char *name) {
     return name[0] == 'n' && name[1] == 'o' && name[2] == 'n' ? "" : name;
 }

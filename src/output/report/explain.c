@@ -218,33 +218,25 @@ static void put_time_line(text *out, const graze_scene *scene, const graze_trace
     }
 }
 
-static void tell_counts(text *out, const graze_trace *trace) {
+/* Append the counts, and the definition and case that apply; for an unsweep its rule. */
+static void put_rule(text *out, const graze_scene *scene, const graze_trace *trace) {
     const graze_verdict *v = &trace->verdict;
-    ulong first = trace->first == GRAZE_STATE_I, last = trace->last == GRAZE_STATE_I;
-    sentence_put(out, "counts", v->i, v->t, (v->i + first + last) / 2, v->i, first, last);
-}
-
-/* The key of the sentence for an answer: `begin` and the answer's name. */
-static const char *pmc_key(char key[24], const char *begin, graze_pmc pmc) {
-    snprintf(key, 24, "%s-%s", begin, graze_pmc_name(pmc));
-    return key;
-}
-
-static void put_sweep_rule(text *out, const graze_scene *scene, const graze_trace *trace) {
-    const graze_verdict *v = &trace->verdict;
+    int sweep = scene->options.operation == GRAZE_SWEEP;
     int combined = scene->options.folds == GRAZE_FOLDS_COMBINED;
-    char key[24];
+    ulong first = trace->first == GRAZE_STATE_I, last = trace->last == GRAZE_STATE_I;
+    const char *pmc = graze_pmc_name(v->pmc);
+    char key[24]; /* of the sentence for the answer */
+    snprintf(key, sizeof key, sweep ? "pmc-%s" : "unsweep-%s", pmc);
+    if (!sweep) {
+        sentence_put(out, "unsweep", pmc, key);
+        return;
+    }
+    sentence_put(out, "counts", v->i, v->t, (v->i + first + last) / 2, v->i, first, last);
     sentence_put(out, "class",
                  combined && v->class_ == GRAZE_FOLD            ? "fold-combined"
                  : combined && v->class_ == GRAZE_FOLD_BOUNDARY ? "fold_boundary-combined"
                                                                 : graze_class_name(v->class_),
-                 v->definition ? "class-case" : "class-ext", (ulong)v->case_,
-                 graze_pmc_name(v->pmc), pmc_key(key, "pmc", v->pmc));
-}
-
-static void put_unsweep_rule(text *out, const graze_verdict *v) {
-    char key[24];
-    sentence_put(out, "unsweep", graze_pmc_name(v->pmc), pmc_key(key, "unsweep", v->pmc));
+                 v->definition ? "class-case" : "class-ext", (ulong)v->case_, pmc, key);
 }
 
 /* Append the place of the first undecided state, and pmc if the other states decide pmc. */
@@ -266,24 +258,19 @@ graze_status report_explain(char **out, graze_context *context, const row *r) {
     int d = scene->motion->dimension, sweep = scene->options.operation == GRAZE_SWEEP;
     HELD(text, t);
     put_answer(&t, scene, r->point, r->trace);
+    if (!r->trace->undecided)
+        put_ends(&t, scene, r->point, r->trace);
+    put_trajectory(&t, scene, r->point, r->trace);
     if (r->trace->undecided) {
-        put_trajectory(&t, scene, r->point, r->trace);
         put_undecided_place(&t, scene, r->trace);
         return text_finish(out, context, &t);
     }
-    put_ends(&t, scene, r->point, r->trace);
-    put_trajectory(&t, scene, r->point, r->trace);
     put_time_line(&t, scene, r->trace);
-    if (sweep) {
-        tell_counts(&t, r->trace);
-        put_sweep_rule(&t, scene, r->trace);
-    } else {
-        put_unsweep_rule(&t, &r->trace->verdict);
-    }
+    put_rule(&t, scene, r->trace);
     if (r->shown->topo)
-        closed_explain(&t, &r->topo, d);
+        closed_explain(&t, &r->topo, 0, d);
     if (r->shown->regular)
-        closed_explain_regular(&t, &r->regular, d);
+        closed_explain(&t, &r->regular, 1, d);
     if ((sweep ? r->shown->topo : r->shown->regular) && r->trace->verdict.pmc == GRAZE_ON)
         TRY(closings_explain(&t, context, scene, r->point, sweep ? &r->topo : &r->regular));
     if (r->shown->sdf > 0)

@@ -12,6 +12,8 @@
 #include "input/motion/motion.h"
 #include "output/report/row_parts.h"
 
+enum { NEAR_DIGITS = 17 };
+
 static size_t last_piece(const graze_time *time) {
     return time->piece + (time_is_piece_end(time) && !time_is_end(time));
 }
@@ -26,18 +28,16 @@ graze_status inside_find(row *r, graze_context *context) {
     if (out->undecided)
         return GRAZE_OK;
     if (trace->first == GRAZE_STATE_I)
-        out->first = (inside_end){.end = motion->piece[0].lo};
+        out->end[0] = (inside_end){.end = motion->piece[0].lo};
     else if (count)
-        out->first = (inside_end){.time = c[0].from, .piece = time_first_piece(c[0].from)};
+        out->end[0] = (inside_end){.time = c[0].from, .piece = time_first_piece(c[0].from)};
     if (trace->last == GRAZE_STATE_I)
-        out->last = (inside_end){.end = motion->piece[last].hi, .piece = last};
+        out->end[1] = (inside_end){.end = motion->piece[last].hi, .piece = last};
     else if (count)
-        out->last = (inside_end){.time = c[count - 1].to, .piece = last_piece(c[count - 1].to)};
-    if (out->first.time)
+        out->end[1] = (inside_end){.time = c[count - 1].to, .piece = last_piece(c[count - 1].to)};
+    if (out->end[0].time)
         TRY(time_canonicalise(c[0].from, context));
-    if (out->last.time)
-        TRY(time_canonicalise(c[count - 1].to, context));
-    return GRAZE_OK;
+    return out->end[1].time ? time_canonicalise(c[count - 1].to, context) : GRAZE_OK;
 }
 
 static int is_never(const inside_end *m) {
@@ -47,10 +47,13 @@ static int is_never(const inside_end *m) {
 static void put_inside_end(text *out, const inside_end *m, const graze_motion *motion) {
     unsigned long row = motion->piece[m->piece].row;
     text_put(out, ",");
-    if (m->end)
-        report_put_rational_near(out, m->end);
-    else
+    if (m->end) {
+        text_rational(out, m->end);
+        text_put(out, ",");
+        text_owned(out, decimal_of_rational(NULL, m->end, NEAR_DIGITS));
+    } else {
         report_put_time_near(out, m->time);
+    }
     text_put(out, ",");
     if (!is_never(m))
         text_count(out, m->piece);
@@ -66,8 +69,8 @@ void inside_csv(text *out, const row *r) {
         text_put(out, motion->has_rows ? ",undecided,,,,undecided,,," : ",undecided,,,undecided,,");
         return;
     }
-    put_inside_end(out, &r->inside.first, motion);
-    put_inside_end(out, &r->inside.last, motion);
+    for (int k = 0; k < 2; k++)
+        put_inside_end(out, &r->inside.end[k], motion);
 }
 
 static void json_inside_end(json_writer *w, const char *const keys[3], const inside_end *m,
@@ -83,15 +86,11 @@ static void json_inside_end(json_writer *w, const char *const keys[3], const ins
 }
 
 void inside_json(json_writer *w, const row *r) {
-    static const char *const first[] = {"first", "first_piece", "first_row"}, *const last[] = {
-                                                                                  "last",
-                                                                                  "last_piece",
-                                                                                  "last_row"};
-    if (r->inside.undecided) {
-        json_text(w, "first", "undecided");
-        json_text(w, "last", "undecided");
-        return;
-    }
-    json_inside_end(w, first, &r->inside.first, r->scene->motion);
-    json_inside_end(w, last, &r->inside.last, r->scene->motion);
+    static const char *const keys[2][3] = {{"first", "first_piece", "first_row"},
+                                           {"last", "last_piece", "last_row"}};
+    for (int k = 0; k < 2; k++)
+        if (r->inside.undecided)
+            json_text(w, keys[k][0], "undecided");
+        else
+            json_inside_end(w, keys[k], &r->inside.end[k], r->scene->motion);
 }

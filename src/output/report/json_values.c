@@ -20,12 +20,8 @@ void json_index(json_writer *w, const char *key, int is_there, size_t value) {
 }
 
 void json_state(json_writer *w, const char *key, graze_state state) {
-    json_text(w, key,
-              state == GRAZE_STATE_ABSENT ? NULL
-              : state == GRAZE_STATE_I    ? "I"
-              : state == GRAZE_STATE_B    ? "B"
-              : state == GRAZE_STATE_O    ? "O"
-                                          : "?");
+    const char letter[] = {(char)state, '\0'};
+    json_text(w, key, state == GRAZE_STATE_ABSENT ? NULL : letter);
 }
 
 void json_contact_kind(json_writer *w, const char *key, graze_kind kind) {
@@ -35,12 +31,17 @@ void json_contact_kind(json_writer *w, const char *key, graze_kind kind) {
                                          : NULL);
 }
 
+/* A list of integers. */
+static void json_integers(json_writer *w, const char *key, const fmpz *v, slong count) {
+    json_open(w, key, '[');
+    for (slong k = 0; k < count; k++)
+        json_integer(w, NULL, v + k);
+    json_close(w, ']');
+}
+
 static void put_root(json_writer *w, const char *key, const graze_time *time) {
     json_open(w, key, '{');
-    json_open(w, "poly", '[');
-    for (slong k = 0; k < fmpz_poly_length(time->poly); k++)
-        json_integer(w, NULL, fmpz_poly_get_coeff_ptr(time->poly, k));
-    json_close(w, ']');
+    json_integers(w, "poly", time->poly->coeffs, fmpz_poly_length(time->poly));
     json_rational(w, "lo", time->low);
     json_rational(w, "hi", time->high);
     json_owned(w, "approx", decimal_of_time(NULL, time, APPROX_DIGITS));
@@ -71,14 +72,6 @@ void json_cell(json_writer *w, const char *key, const graze_cell *cell) {
     json_open(w, key, '{');
     json_cell_members(w, cell);
     json_close(w, '}');
-}
-
-/* A list of integers. */
-static void json_integers(json_writer *w, const char *key, const fmpz *v, int count) {
-    json_open(w, key, '[');
-    for (int k = 0; k < count; k++)
-        json_integer(w, NULL, v + k);
-    json_close(w, ']');
 }
 
 /* A finding to be written under keys that begin with the name of its question. */

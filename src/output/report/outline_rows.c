@@ -46,8 +46,8 @@ static graze_status put_exact(outline_writer *j, exact_form form, const char *ke
 }
 
 /* Write both coordinates of a point, whose members `keys` names. */
-static graze_status put_coordinates(outline_writer *j, exact_form form, const char *const *keys,
-                                    outline_point *p) {
+static graze_status put_point_numbers(outline_writer *j, exact_form form, const char *const *keys,
+                                      outline_point *p) {
     for (int k = 0; k < 2; k++)
         TRY(put_exact(j, form, keys[k], &number_line, 0, &p->coordinate[k]));
     return GRAZE_OK;
@@ -60,9 +60,9 @@ static graze_status put_outline_point(outline_writer *j, const char *key, size_t
     outline_point *p = &j->outline->point[point];
     TRY(outline_point_make(j->outline, j->context, p));
     json_open(&j->w, key, '{');
-    TRY(put_coordinates(j, AS_VALUE, keys, p));
+    TRY(put_point_numbers(j, AS_VALUE, keys, p));
     json_open(&j->w, "near", '[');
-    TRY(put_coordinates(j, AS_DECIMAL, no_keys, p));
+    TRY(put_point_numbers(j, AS_DECIMAL, no_keys, p));
     json_ends(&j->w, "]}");
     return GRAZE_OK;
 }
@@ -100,10 +100,8 @@ static void put_outline_curve(outline_writer *j, const outline_curve *c) {
 static void source_ends(const algebraic **end, const graze_outline *o, const outline_piece *first,
                         const outline_piece *last) {
     const outline_curve *c = &o->curve[first->curve];
-    size_t low = first->cut < last->cut ? first->cut : last->cut;
-    size_t high = first->cut < last->cut ? last->cut : first->cut;
-    end[0] = c->cut[low];
-    end[1] = c->cut[high + 1];
+    end[0] = c->cut[FLINT_MIN(first->cut, last->cut)];
+    end[1] = c->cut[FLINT_MAX(first->cut, last->cut) + 1];
 }
 
 /* The cell that moves along a source, or that an edge is at one time. */
@@ -317,7 +315,7 @@ static graze_status put_arc_row(outline_writer *j, size_t number, const size_t *
     for (int k = 0; k < 2; k++) {
         outline_point *p = &j->outline->point[k ? arc->to : arc->from];
         TRY(outline_point_make(j->outline, j->context, p));
-        TRY(put_coordinates(j, AS_FIELD, no_keys, p));
+        TRY(put_point_numbers(j, AS_FIELD, no_keys, p));
     }
     if (c->source == SOURCE_PATH)
         text_format(j->w.out, "path,%zu,%zu,", c->a, c->piece);

@@ -30,8 +30,8 @@ typedef struct inside_end {
 
 /** Both times, or neither. */
 typedef struct inside_times {
-    inside_end first, last;
-    int undecided; /* a state of the trajectory is undecided, so neither time is given */
+    inside_end end[2]; /* the first and the last */
+    int undecided;     /* a state of the trajectory is undecided, so neither time is given */
 } inside_times;
 
 /* A row: the answer for one point, before it is written as text. */

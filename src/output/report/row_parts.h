@@ -28,17 +28,8 @@ void inside_json(json_writer *w, const row *r);
 
 /* Enclosures of distances in tables, in JSON and in explanations. */
 
-/** Append the time of an enclosure: a ratio, or a decimal of 17 digits for an irrational time of a
- * contact.
- */
-void report_distance_time(text *out, const graze_scene *scene, const distance *found);
-
-/** Does the point have the same pmc for every motion within the error? "yes" or "undecided";
- * static.
- */
-const char *report_certainty(const distance *found, double motion_error);
-
-/** Append the three columns of an enclosure, a comma before each. */
+/** Append the three columns of an enclosure, a comma before each: an irrational time of a contact
+ * is a decimal of 17 digits. */
 void report_distance(text *out, const row *r);
 
 /** Append a paragraph about an enclosure for a person. */
@@ -47,11 +38,8 @@ void explain_distance(text *out, const graze_scene *scene, const distance *found
 /* Explanations, for a person, of a position relative to the closed sweep. */
 
 /** Append the position of a point, the level that decided it, and its witness or the reason why it
- * is undecided. */
-void closed_explain(text *t, const topo_finding *topo, int dimension);
-
-/** Append whether a point is in the closure of an unsweep's interior, in the same form. */
-void closed_explain_regular(text *t, const topo_finding *regular, int dimension);
+ * is undecided; if `is_regular`, whether it is in the closure of an unsweep's interior. */
+void closed_explain(text *t, const topo_finding *topo, int is_regular, int dimension);
 
 /* Explanations, for a person, of the directions about a point that each of its contacts covers. */
 
@@ -70,10 +58,7 @@ char *decimal_of_time_since(int *exact, const graze_time *time, const fmpq_t sin
 
 /** Append a canonical time: a ratio, or root(c0 c1 ...;a;b); nothing for NULL. */
 void report_put_time(text *t, const graze_time *time);
-/** Append a rational or a canonical time, a comma, and its decimal of 17 digits; only a comma for
- * NULL.
- */
-void report_put_rational_near(text *t, const fmpq_t value);
+/** Append a canonical time, a comma, and its decimal of 17 digits; only a comma for NULL. */
 void report_put_time_near(text *t, const graze_time *time);
 
 /* Rational functions, polynomials and numbers as a person reads them. */

@@ -35,6 +35,22 @@ static int is_trimmed(const graze_site_facts *f) {
     return f->trim == GRAZE_TRIM_NEAR || f->trim == GRAZE_TRIM_FAR;
 }
 
+const char *report_sign(int sign) {
+    return sign == GRAZE_SIGN_ABSENT ? "" : sign > 0 ? "+" : sign < 0 ? "-" : "0";
+}
+
+void report_event(text *out, const graze_envelope *envelope, const found_event *event) {
+    report_put_time_near(out, envelope->events.time[event->time]);
+    text_format(out, ",%s,", graze_event_kind_name(event->kind));
+    report_put_cell(out, &event->facet);
+    if (event->other.kind)
+        text_put(out, " and ");
+    report_put_cell(out, &event->other);
+    text_put(out, ",");
+    report_put_cell(out, &event->cell);
+    text_format(out, ",%s,%s\n", report_sign(event->before), report_sign(event->after));
+}
+
 /* theta, contact_order, orientation */
 static void put_slice(text *t, const graze_site_facts *f) {
     if (!f->on_slice) {
@@ -85,23 +101,11 @@ void report_contact_csv(text *out, const graze_site *site, const char *rest) {
     text_put(out, "\n");
 }
 
-static void json_order(json_writer *w, const char *key, int order) {
-    if (order == GRAZE_ORDER_VANISHES)
-        json_text(w, key, "inf");
-    else
+static void json_order(json_writer *w, const char *key, int is_there, int order) {
+    if (is_there && order != GRAZE_ORDER_VANISHES)
         json_count(w, key, (unsigned long)order);
-}
-
-static void json_slice(json_writer *w, const graze_site_facts *f) {
-    if (!f->on_slice) {
-        json_text(w, "theta", NULL);
-        json_text(w, "contact_order", NULL);
-        json_text(w, "orientation", NULL);
-        return;
-    }
-    json_text(w, "theta", report_sign(f->theta));
-    json_order(w, "contact_order", f->order);
-    json_text(w, "orientation", graze_orientation_name(f->orientation));
+    else
+        json_text(w, key, is_there ? "inf" : NULL);
 }
 
 static void json_facets(json_writer *w, const graze_site *site) {
@@ -114,33 +118,28 @@ static void json_facets(json_writer *w, const graze_site *site) {
         json_rational(w, "speed", germ->speed);
         json_rational(w, "drift", germ->drift);
         json_rational(w, "theta", germ->theta);
-        json_order(w, "order", germ->order);
+        json_order(w, "order", 1, germ->order);
         json_text(w, "sign", report_sign(germ->sign));
         json_close(w, '}');
     }
     json_close(w, ']');
 }
 
+/* Write the answers; nulls for those of a cell without contact, or of a contact on no slice. */
 static void json_answers(json_writer *w, const graze_site *site) {
     const graze_site_facts *f = &site->facts;
-    json_text(w, "role", graze_role_name(f->role));
-    json_slice(w, f);
-    json_state(w, "left", f->left);
-    json_state(w, "right", f->right);
-    json_text(w, "trimmed", is_trimmed(f) ? "yes" : "no");
-    json_text(w, "status", graze_trim_name(f->trim));
-    json_time(w, "near", site->near);
-    json_time(w, "near_in", site->near_in);
-    json_text(w, "word", site->trace.word);
-}
-
-/* Write nulls for the answers of a cell without contact. */
-static void json_no_answers(json_writer *w) {
-    static const char *const names[] = {"role", "theta",   "contact_order", "orientation",
-                                        "left", "right",   "trimmed",       "status",
-                                        "near", "near_in", "word"};
-    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
-        json_text(w, names[k], NULL);
+    int met = !site->missed, on_slice = met && f->on_slice;
+    json_text(w, "role", met ? graze_role_name(f->role) : NULL);
+    json_text(w, "theta", on_slice ? report_sign(f->theta) : NULL);
+    json_order(w, "contact_order", on_slice, f->order);
+    json_text(w, "orientation", on_slice ? graze_orientation_name(f->orientation) : NULL);
+    json_state(w, "left", met ? f->left : GRAZE_STATE_ABSENT);
+    json_state(w, "right", met ? f->right : GRAZE_STATE_ABSENT);
+    json_text(w, "trimmed", !met ? NULL : is_trimmed(f) ? "yes" : "no");
+    json_text(w, "status", met ? graze_trim_name(f->trim) : NULL);
+    json_time(w, "near", met ? site->near : NULL);
+    json_time(w, "near_in", met ? site->near_in : NULL);
+    json_text(w, "word", met ? site->trace.word : NULL);
 }
 
 void report_contact_json(text *out, const graze_site *site) {
@@ -151,10 +150,7 @@ void report_contact_json(text *out, const graze_site *site) {
     json_point(&w, "body", site->y, site->dimension);
     json_point(&w, "point", site->world, site->dimension);
     json_cell(&w, "cell", &f->cell);
-    if (site->missed)
-        json_no_answers(&w);
-    else
-        json_answers(&w, site);
+    json_answers(&w, site);
     if (site->missed)
         json_text(&w, "shift", NULL);
     else if (site->snapped)

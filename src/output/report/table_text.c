@@ -78,8 +78,7 @@ void table_columns(text *t, const graze_scene *scene, const char *columns,
 
 graze_status report_header(char **out, graze_context *context, const graze_scene *scene,
                            const char *notes, const char *columns, const graze_row_options *shown) {
-    text t;
-    text_init(&t);
+    HELD(text, t);
     put_notes(&t, context, scene, notes, shown);
     table_columns(&t, scene, columns, shown);
     text_put(&t, "\n");

@@ -4,7 +4,6 @@
 #include "output/report/report.h"
 
 #include <flint/fmpq_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "decide/trace/trace.h"
 #include "input/motion/motion.h"
@@ -35,7 +34,7 @@ static void put_told(text *out, const graze_motion *motion, const fmpq_t time, i
     int exact;
     int is_large = time_origin(origin, motion);
     fmpq_sub(later, time, origin);
-    char *decimal = decimal_of_rational(&exact, later, DECIMAL_DIGITS);
+    FREED(char, decimal, decimal_of_rational(&exact, later, DECIMAL_DIGITS));
     out->failed |= !decimal;
     if (!is_large) {
         formula_rational(out, time);
@@ -50,7 +49,6 @@ static void put_told(text *out, const graze_motion *motion, const fmpq_t time, i
         if (with_near && decimal)
             put_later(out, decimal);
     }
-    free(decimal);
 }
 
 void tell_rational_time(text *out, const graze_motion *motion, const fmpq_t time) {
@@ -60,13 +58,12 @@ void tell_rational_time(text *out, const graze_motion *motion, const fmpq_t time
 void tell_near_time(text *out, const graze_time *time, int digits) {
     LOCAL(fmpq, origin);
     int is_large = time_origin(origin, time->motion);
-    char *decimal = decimal_of_time_since(NULL, time, origin, digits);
+    FREED(char, decimal, decimal_of_time_since(NULL, time, origin, digits));
     out->failed |= !decimal;
     if (is_large && decimal)
         put_later(out, decimal);
     else
         text_put(out, decimal ? decimal : "");
-    free(decimal);
 }
 
 void tell_time(text *out, const graze_time *time) {
@@ -88,13 +85,12 @@ void tell_time_origin(text *out, const graze_motion *motion) {
     int exact;
     LOCAL(fmpq, origin);
     if (time_origin(origin, motion)) {
-        char *decimal = decimal_of_rational(&exact, origin, DECIMAL_DIGITS);
+        FREED(char, decimal, decimal_of_rational(&exact, origin, DECIMAL_DIGITS));
         out->failed |= !decimal;
         text_put(out, " Times are told from the motion's start, t0 = ");
         formula_rational(out, origin);
         if (!exact || !fmpz_is_one(fmpq_denref(origin)))
             text_format(out, exact ? " = %s" : ", about %s", decimal ? decimal : "");
         text_put(out, ".");
-        free(decimal);
     }
 }

@@ -123,11 +123,6 @@ const char *typed_word(const typed_column *c, uint32_t code);
  * and so on behind it. */
 void typed_name(text *out, const typed_table *t, size_t index);
 
-/* A typed table as a numpy array. */
-
-/** Write the table as a structured numpy array. */
-graze_status typed_write_npy(const typed_table *t, sink to);
-
 /* Rows of values, read into typed columns. */
 
 /** Set the columns of a table: `names` are those of its head, comma-joined, `last` the kinds of the

@@ -65,14 +65,12 @@ static graze_status put_head(sink to, const typed_table *t) {
     while (!description.failed && (12 + description.length + 1) % 64)
         text_put(&description, " ");
     text_put(&description, "\n");
-    graze_status status =
-        description.failed ? context_fail(t->context, GRAZE_ESYSTEM, "out of memory") : GRAZE_OK;
-    if (!status) {
-        to.put(to.to, "\x93NUMPY\x03\x00", 8);
-        put_number(to, description.length, 4);
-        to.put(to.to, description.data, description.length);
-    }
-    return status;
+    if (description.failed)
+        return context_fail(t->context, GRAZE_ESYSTEM, "out of memory");
+    to.put(to.to, "\x93NUMPY\x03\x00", 8);
+    put_number(to, description.length, 4);
+    to.put(to.to, description.data, description.length);
+    return GRAZE_OK;
 }
 
 static void put_npy_text(sink to, field one, size_t width) {
@@ -86,27 +84,24 @@ static void put_npy_text(sink to, field one, size_t width) {
 }
 
 static void put_field(sink to, const typed_column *c, size_t row) {
-    switch (c->kind) {
-    case TYPED_DOUBLE:
-    case TYPED_NUMBER:
+    const char *name = c->number ? NULL : typed_word(c, c->code[row]);
+    if (c->number)
         put_double(to, c->number[row]);
-        return;
-    case TYPED_DEFINITION:
-    case TYPED_COUNT:
+    else if (c->kind == TYPED_DEFINITION || c->kind == TYPED_COUNT)
         put_number(to, c->code[row], 4);
-        return;
-    default:
-        break;
-    }
-    const char *name = typed_word(c, c->code[row]);
-    put_npy_text(to, name ? (field){name, strlen(name)} : texts_at(&c->texts, c->code[row]),
-                 width_of(c));
+    else
+        put_npy_text(to, name ? (field){name, strlen(name)} : texts_at(&c->texts, c->code[row]),
+                     width_of(c));
 }
 
-graze_status typed_write_npy(const typed_table *t, sink to) {
+static graze_status typed_write_npy(const typed_table *t, sink to) {
     TRY(put_head(to, t));
     for (size_t row = 0; row < t->row_count; row++)
         for (size_t k = 0; k < t->column_count; k++)
             put_field(to, &t->column[k], row);
     return GRAZE_OK;
+}
+
+graze_status typed_write(const typed_table *t, graze_format form, sink to) {
+    return form == GRAZE_FORMAT_VTK ? typed_write_vtk(t, to) : typed_write_npy(t, to);
 }

@@ -90,14 +90,14 @@ static int typed_reserve(typed_table *t) {
 /* Read a number; *number is 1 if the field is one, even if no double can hold it. */
 static graze_status read_number(double *out, int *number, graze_context *context, field f) {
     LOCAL(fmpq, value);
-    graze_status status = rational_parse(value, context, f.start, f.length);
-    *number = status == GRAZE_OK;
-    if (!status)
-        status = rational_nearest(out, context, value);
-    if (*number && status == GRAZE_EINPUT)
-        status = context_fail(context, status, "'%.*s'; expected a number that binary64 can hold",
-                              FIELD_SHOWN(f));
-    return status;
+    *number = 0;
+    TRY(rational_parse(value, context, f.start, f.length));
+    *number = 1;
+    graze_status status = rational_nearest(out, context, value);
+    return status == GRAZE_EINPUT
+               ? context_fail(context, status, "'%.*s'; expected a number that binary64 can hold",
+                              FIELD_SHOWN(f))
+               : status;
 }
 
 static graze_status add_text(const typed_table *t, typed_column *c, size_t row, field f) {
@@ -111,11 +111,9 @@ static graze_status become_texts(const typed_table *t, typed_column *c) {
     c->capacity = 0;
     if (!column_reserve(c, t->row_count))
         return typed_no_memory(t);
-    field rest = {c->fields.data, c->fields.length}, one;
-    for (size_t row = 0; row < t->row_count && !status; row++) {
-        one = field_line(&rest);
-        status = add_text(t, c, row, one);
-    }
+    field rest = {c->fields.data, c->fields.length};
+    for (size_t row = 0; row < t->row_count && !status; row++)
+        status = add_text(t, c, row, field_line(&rest));
     free(c->number);
     c->number = NULL;
     text_clear(&c->fields);

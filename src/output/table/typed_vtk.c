@@ -23,43 +23,42 @@ static int has_texts(const typed_column *c) {
     return c->kind == TYPED_WORD || c->kind == TYPED_TEXT;
 }
 
-/* The name of a column with `behind` at its end, initialised and filled. */
-static field name_of(text *name, const typed_table *t, size_t index, const char *behind) {
-    text_init(name);
-    typed_name(name, t, index);
-    text_put(name, behind);
-    return (field){name->data, name->length};
+static graze_status vtk_no_memory(const typed_table *t) {
+    return context_fail(t->context, GRAZE_ESYSTEM, "out of memory");
 }
 
-/* Put the texts of all columns, in the order of their numbers, as field data; 0 when out of memory.
- */
-static int put_texts(const vtk *w, const typed_table *t) {
-    text name;
+/* Put a text of the head. */
+static graze_status put_whole(sink to, const typed_table *t, const text *whole) {
+    if (whole->failed)
+        return vtk_no_memory(t);
+    to.put(to.to, whole->data, whole->length);
+    return GRAZE_OK;
+}
+
+/* Put the texts of all columns, in the order of their numbers, as field data. */
+static graze_status put_texts(const vtk *w, const typed_table *t) {
     size_t count = 0;
-    int failed = 0;
     for (size_t k = 0; k < t->column_count; k++)
         count += has_texts(&t->column[k]) != 0;
     if (!count || !t->row_count)
-        return 1;
+        return GRAZE_OK;
     HELD(text, head);
     text_format(&head, "FIELD FieldData %zu\n", count);
-    failed = head.failed;
-    if (!failed)
-        w->to.put(w->to.to, head.data, head.length);
-    for (size_t k = 0; k < t->column_count && !failed; k++) {
+    TRY(put_whole(w->to, t, &head));
+    for (size_t k = 0; k < t->column_count; k++) {
         const text *bytes = &t->column[k].texts.bytes;
         if (!has_texts(&t->column[k]))
             continue;
-        field shown = name_of(&name, t, k, "_texts");
-        failed = name.failed;
-        if (!failed) {
-            vtk_bytes_begin(w, shown, bytes->length);
-            w->to.put(w->to.to, bytes->data, bytes->length);
-            vtk_end(w);
-        }
-        text_clear(&name);
+        HELD(text, name);
+        typed_name(&name, t, k);
+        text_put(&name, "_texts");
+        if (name.failed)
+            return vtk_no_memory(t);
+        vtk_bytes_begin(w, (field){name.data, name.length}, bytes->length);
+        w->to.put(w->to.to, bytes->data, bytes->length);
+        vtk_end(w);
     }
-    return !failed;
+    return GRAZE_OK;
 }
 
 /* Decimals of the head do not depend on the locale. */
@@ -68,8 +67,8 @@ static void put_decimal(text *out, const fmpq_t value) {
     text_owned(out, decimal_of_rational(NULL, value, 17));
 }
 
-/* The lines that say where the points of a grid are; 0 without memory. */
-static int put_grid(sink to, const typed_table *t) {
+/* Put the lines that say where the points of a grid are. */
+static graze_status put_grid(sink to, const typed_table *t) {
     HELD(text, out);
     LOCAL(fmpq, step);
     LOCAL(fmpz, parts);
@@ -87,10 +86,7 @@ static int put_grid(sink to, const typed_table *t) {
         put_decimal(&out, step);
     }
     text_put(&out, "\n");
-    int good = !out.failed;
-    if (good)
-        to.put(to.to, out.data, out.length);
-    return good;
+    return put_whole(to, t, &out);
 }
 
 static void put_vertices(const vtk *w, const typed_table *t) {
@@ -110,24 +106,21 @@ static void put_vertices(const vtk *w, const typed_table *t) {
     vtk_cell_types(w, count, VTK_VERTEX);
 }
 
-/* 0 without memory. */
-static int put_vtk_column(const vtk *w, const typed_table *t, size_t index) {
+static graze_status put_vtk_column(const vtk *w, const typed_table *t, size_t index) {
     const typed_column *from = &t->column[index];
-    text name;
-    field shown = name_of(&name, t, index, "");
-    int good = !name.failed;
-    if (good)
-        vtk_scalars_begin(w, shown, from->number ? "double" : "int");
-    for (size_t row = 0; row < t->row_count && good; row++) {
+    HELD(text, name);
+    typed_name(&name, t, index);
+    if (name.failed)
+        return vtk_no_memory(t);
+    vtk_scalars_begin(w, (field){name.data, name.length}, from->number ? "double" : "int");
+    for (size_t row = 0; row < t->row_count; row++) {
         if (from->number)
             vtk_double(w, from->number[row]);
         else
             vtk_int(w, from->code[row]);
     }
-    if (good)
-        vtk_end(w);
-    text_clear(&name);
-    return good;
+    vtk_end(w);
+    return GRAZE_OK;
 }
 
 graze_status typed_write_vtk(const typed_table *t, sink to) {
@@ -137,13 +130,13 @@ graze_status typed_write_vtk(const typed_table *t, sink to) {
                             "a VTK file numbers its points with 32 bits; expected at most "
                             "2147483647 rows");
     vtk_begin(&w, title, t->grid[0] ? "STRUCTURED_POINTS" : "UNSTRUCTURED_GRID");
-    int good = put_texts(&w, t);
-    if (good && t->grid[0])
-        good = put_grid(to, t);
-    else if (good)
+    TRY(put_texts(&w, t));
+    if (t->grid[0])
+        TRY(put_grid(to, t));
+    else
         put_vertices(&w, t);
     vtk_data_begin(&w, "POINT_DATA", t->row_count);
-    for (size_t k = (size_t)t->dimension; k < t->column_count && good; k++)
-        good = put_vtk_column(&w, t, k);
-    return good ? GRAZE_OK : context_fail(t->context, GRAZE_ESYSTEM, "out of memory");
+    for (size_t k = (size_t)t->dimension; k < t->column_count; k++)
+        TRY(put_vtk_column(&w, t, k));
+    return GRAZE_OK;
 }

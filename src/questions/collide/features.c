@@ -33,8 +33,8 @@ static uint32_t run_vertex(const placing *p, pair_side side, corner_run run, int
     return s->vertex[(run.first + k) % p->pair->motion->dimension];
 }
 
-static void add_face(named_face out[3], int *found, const placing *p, pair_side side,
-                     corner_run run) {
+static void add_named_face(named_face out[3], int *found, const placing *p, pair_side side,
+                           corner_run run) {
     named_face *f = &out[(*found)++];
     f->run = run;
     for (int k = 0; k < 3; k++)
@@ -50,10 +50,10 @@ static int faces_of_simplex(named_face out[3], const placing *p, pair_side side,
                         ? 0
                         : placing_solid(p, side)->cut.item[simplex].diagonal;
     if (count == corners)
-        add_face(out, &found, p, side, (corner_run){simplex, 0, count});
+        add_named_face(out, &found, p, side, (corner_run){simplex, 0, count});
     for (int k = 0; k < corners && count < corners; k++)
         if (!(made >> k & 1))
-            add_face(out, &found, p, side, (corner_run){simplex, k, count});
+            add_named_face(out, &found, p, side, (corner_run){simplex, k, count});
     return found;
 }
 
@@ -174,7 +174,7 @@ static int are_edges(const feature_pair *features) {
     return features->of[SIDE_MOVING].count == features->of[SIDE_FIXED].count;
 }
 
-static uint32_t lone_vertex(const placing *p, const feature_pair *features) {
+static uint32_t single_vertex(const placing *p, const feature_pair *features) {
     pair_side other = (pair_side)!side_of_face(features);
     return run_vertex(p, other, features->of[other], 0);
 }
@@ -186,7 +186,7 @@ static void set_incidence(stationary *s, placing *p) {
     uint32_t end[2][2];
     pair_side face = side_of_face(s->features);
     if (!are_edges(s->features)) {
-        placing_plane(s->equation, p, face, run[face].simplex, lone_vertex(p, s->features));
+        placing_plane(s->equation, p, face, run[face].simplex, single_vertex(p, s->features));
         return;
     }
     for (int side = 0; side < 2; side++)
@@ -209,7 +209,7 @@ int stationary_turns(fmpz_poly_t out, placing *p, const stationary *s, int k) {
     pair_side face = side_of_face(s->features);
     if (p->near || are_edges(s->features) || k == p->pair->motion->dimension)
         return 0;
-    placing_side(out, p, face, s->features->of[face].simplex, k, lone_vertex(p, s->features));
+    placing_side(out, p, face, s->features->of[face].simplex, k, single_vertex(p, s->features));
     return 1;
 }
 
@@ -351,7 +351,7 @@ int stationary_touches(placing *p, const stationary *s) {
     } else {
         pair_side face = side_of_face(s->features);
         found = placing_inside(zero, p, face, s->features->of[face].simplex,
-                               lone_vertex(p, s->features));
+                               single_vertex(p, s->features));
     }
     return found && !p->status;
 }

@@ -142,27 +142,6 @@ void clearance_freeze(clearance *out, const clearance *near, const fmpq_t u) {
     }
 }
 
-/* Set the square of the factor by which a map multiplies all lengths, times the square of its
- * weight; 0 if it changes their ratios. */
-static int set_factor(fmpz_poly_t out, const point_map *map) {
-    int d = map->dimension;
-    LOCAL(fmpz_poly, sum);
-    LOCAL(fmpz_poly, term);
-    for (int i = 0; i < d; i++)
-        for (int j = i; j < d; j++) {
-            fmpz_poly_zero(sum);
-            for (int k = 0; k < d; k++) {
-                fmpz_poly_mul(term, &map->entry[k * (d + 1) + i], &map->entry[k * (d + 1) + j]);
-                fmpz_poly_add(sum, sum, term);
-            }
-            if (i == 0 && j == 0)
-                fmpz_poly_set(out, sum);
-            else if (i == j ? !fmpz_poly_equal(sum, out) : !fmpz_poly_is_zero(sum))
-                return 0;
-        }
-    return 1;
-}
-
 /* Substitute a + (b - a) u into p / q, times a positive number for both. */
 static void substitute(fmpz_poly_t p, fmpz_poly_t q, const fmpq_t a, const fmpq_t b) {
     LOCAL(fmpq_poly, line);
@@ -203,7 +182,7 @@ static graze_status set_frame_ratio(length_ratio *out, graze_context *context,
     while (fmpq_cmp(frame->piece[k].hi, piece->hi) < 0)
         k++;
     const motion_piece *f = &frame->piece[k];
-    if (!set_factor(&out->square[1], &f->forward))
+    if (!point_map_scale(&out->square[1], &f->forward))
         return context_fail(context, GRAZE_EILLEGAL,
                             "piece %zu of the fixed solid's motion changes ratios of distances; "
                             "expected similarities where there is a clearance",
@@ -229,7 +208,7 @@ static graze_status set_ratios(clearance *near, graze_context *context, const gr
     if (frame)
         TRY(set_frame_ratio(world, context, m, frame));
     if (moving) {
-        if (!set_factor(&own->square[0], &m->forward))
+        if (!point_map_scale(&own->square[0], &m->forward))
             return context_fail(context, GRAZE_EILLEGAL,
                                 "piece %zu of the motion makes no balls of balls; expected "
                                 "similarities for a round solid",

@@ -51,8 +51,8 @@ static graze_status lack_memory(graze_context *context) {
 
 /* Find the pairs that may meet during an interval of a placing's piece, or at its rational time,
  * among those of `of` or, if that is NULL, among all. */
-static graze_status find_near(scene_then *out, pair_walk *walk, const placing *p,
-                              const dyadic_interval *interval, const node_list *of) {
+static graze_status find_near_pairs(scene_then *out, pair_walk *walk, const placing *p,
+                                    const dyadic_interval *interval, const node_list *of) {
     node_pair roots = {0, 0};
     const node_list all = {1, 1, &roots, 0};
     HELD(map_forms, forms, p->map[SIDE_MOVING], interval);
@@ -70,7 +70,7 @@ static graze_status place_both_at(scene_then *out, pair_walk *walk, size_t piece
     dyadic_interval_set_si(&unit, 0, 1);
     placing_init(&out->p, walk->context, walk->pair, piece, u);
     out->placed = 1;
-    return find_near(out, walk, &out->p, &unit, of);
+    return find_near_pairs(out, walk, &out->p, &unit, of);
 }
 
 /* Find the pairs at a time: if it is irrational, from the motion during its isolating interval,
@@ -82,7 +82,7 @@ static graze_status place_both_then(scene_then *out, pair_walk *walk, const plac
         TRY(algebraic_narrow(walk->context, &time->u, step, &gain));
     return algebraic_is_rational(&time->u)
                ? place_both_at(out, walk, time->piece, time->u.value, of)
-               : find_near(out, walk, whole, &time->u.where, of);
+               : find_near_pairs(out, walk, whole, &time->u.where, of);
 }
 
 static graze_status add_letter(pair_walk *walk, graze_state state) {

@@ -4,7 +4,7 @@
 #include "questions/contact/contact.h"
 
 #include <flint/fmpz_vec.h>
-#include "base/context/names.h"
+#include "base/context/context.h"
 #include "base/context/scope.h"
 #include "decide/trace/trace.h"
 #include "graze/contact.h"

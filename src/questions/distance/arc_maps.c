@@ -14,23 +14,11 @@
 #include "input/solid/solid.h"
 #include "questions/distance/gap.h"
 
-/* 1 if the linear part L of a map satisfies L^T L = W^2 I, as polynomials. */
+/* 1 if the map keeps distances. */
 static int is_rigid(const point_map *map) {
-    int d = map->dimension, rigid = 1;
-    LOCAL(fmpz_poly, sum);
-    LOCAL(fmpz_poly, term);
-    LOCAL(fmpz_poly, square);
-    fmpz_poly_sqr(square, map->weight);
-    for (int i = 0; i < d && rigid; i++)
-        for (int j = i; j < d && rigid; j++) {
-            fmpz_poly_zero(sum);
-            for (int k = 0; k < d; k++) {
-                fmpz_poly_mul(term, &map->entry[k * (d + 1) + i], &map->entry[k * (d + 1) + j]);
-                fmpz_poly_add(sum, sum, term);
-            }
-            rigid = i == j ? fmpz_poly_equal(sum, square) : fmpz_poly_is_zero(sum);
-        }
-    return rigid;
+    LOCAL_VEC(fmpz_poly, scale, 2);
+    fmpz_poly_sqr(scale + 1, map->weight);
+    return point_map_scale(scale, map) && fmpz_poly_equal(scale, scale + 1);
 }
 
 /* The coefficients of a weight on an arc differ by no more than this factor. */

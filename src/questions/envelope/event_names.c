@@ -1,5 +1,5 @@
 /* Names of events, answers and reasons. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/context/names.h"
+#include "base/context/context.h"
 #include "graze/envelope.h"
 
 const char *graze_event_kind_name(graze_event_kind kind) {

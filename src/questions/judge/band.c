@@ -43,28 +43,24 @@ graze_status band_init(band *b, graze_context *context, const graze_scene *scene
     *b = (band){.count = 1};
     cell_asker_init(&b->ask, context, scene);
     b->ask.corners = 1;
-    graze_status status =
-        array_grow(context, &b->item, &b->capacity, 1, sizeof *b->item, "cubes of space");
-    if (status)
-        return status;
+    TRY(array_grow(context, &b->item, &b->capacity, 1, sizeof *b->item, "cubes of space"));
     LOCAL_VEC(fmpq, box_low, 6);
     fmpq *box_high = box_low + 3;
-    status = scene_box(box_low, box_high, context, scene);
+    b->item[0] = (cube){.kind = CUBE_BAND};
+    TRY(scene_box(box_low, box_high, context, scene));
     for (int k = 0; k < 3; k++) {
         rational_bounds(&low[k], &unused, box_low + k);
         rational_bounds(&unused, &high[k], box_high + k);
     }
-    b->item[0] = (cube){.kind = CUBE_BAND};
-    if (!status)
-        choose_root(&b->item[0], low, high);
+    choose_root(&b->item[0], low, high);
     const cube *root = &b->item[0];
-    for (int k = 0; k < 3 && !status; k++)
+    for (int k = 0; k < 3; k++)
         if (!(fabs(root->centre[k]) + root->half <= CARRIER_REACH &&
               fabs(root->centre[k]) <= 0x1p30 * root->half))
-            status = context_fail(context, GRAZE_ELIMIT,
-                                  "the sweep is 2^30 times as far from the origin as it is large, "
-                                  "or beyond 2^200: doubles do not cut it into cubes");
-    return status;
+            return context_fail(context, GRAZE_ELIMIT,
+                                "the sweep is 2^30 times as far from the origin as it is large, "
+                                "or beyond 2^200: doubles do not cut it into cubes");
+    return GRAZE_OK;
 }
 
 void band_clear(band *b) {

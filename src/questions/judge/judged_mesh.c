@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "input/solid/solid.h"
 #include "input/soup/soup.h"
 #include "input/validate/validate.h"
@@ -15,16 +16,11 @@
 /* Add six times the signed volume of the tetrahedron of the origin and a triangle. */
 static void add_tetrahedron(fmpq_t sum, const skin *s, size_t simplex) {
     const fmpq *p[3];
+    LOCAL_VEC(fmpq, normal, 4);
     skin_vertices(p, s, simplex);
-    LOCAL_VEC(fmpq, minor, 2);
-    fmpq *other = minor + 1;
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        fmpq_mul(minor, p[1] + j, p[2] + k);
-        fmpq_mul(other, p[1] + k, p[2] + j);
-        fmpq_sub(minor, minor, other);
-        fmpq_addmul(sum, p[0] + i, minor);
-    }
+    vector_cross(normal, p[1], p[2]);
+    _fmpq_vec_dot(normal + 3, p[0], normal, 3);
+    fmpq_add(sum, sum, normal + 3);
 }
 
 /* Add tetrahedra by halves: sums of few terms have short denominators. */
@@ -59,17 +55,11 @@ graze_status judged_mesh_make(judged_mesh *out, graze_context *context, const so
     memset(out, 0, sizeof *out);
     out->input = input;
     fmpq_init(out->volume);
-    graze_status status =
-        validate_loose(&out->cut, &out->open, &out->flat_count, context, input, flags);
-    if (!status)
-        status = skin_bounds(&out->low, &out->high, context, input);
+    TRY(validate_loose(&out->cut, &out->open, &out->flat_count, context, input, flags));
+    TRY(skin_bounds(&out->low, &out->high, context, input));
     skin bare = judged_skin(out);
-    if (!status)
-        status = skin_tree(&out->boxes, context, &bare);
-    if (!status)
-        status = corners_make(&out->corners, context, input, &out->cut, out->low, out->high);
-    if (status)
-        return status;
+    TRY(skin_tree(&out->boxes, context, &bare));
+    TRY(corners_make(&out->corners, context, input, &out->cut, out->low, out->high));
     out->rule = rule_of(&out->open);
     if (out->rule == GRAZE_MESH_WINDING)
         find_volume(out);

@@ -93,15 +93,15 @@ graze_status suprema_time(double *out, suprema *s, const double *point) {
 graze_status suprema_settle(int *done, suprema *s, uint32_t cube_index) {
     const cube *c = &s->space.item[cube_index];
     known_point known;
-    graze_status status = suprema_ask(&known, s, c->centre, ASK_IN);
-    *done = !status && known.pmc == GRAZE_IN && -known.high > cube_radius(c);
-    if (!status && !*done && known.pmc != GRAZE_OUT && s->uncovered < UNCOVERED_MOST) {
-        status = cube_is_covered(done, &s->space.ask, c);
+    TRY(suprema_ask(&known, s, c->centre, ASK_IN));
+    *done = known.pmc == GRAZE_IN && -known.high > cube_radius(c);
+    if (!*done && known.pmc != GRAZE_OUT && s->uncovered < UNCOVERED_MOST) {
+        TRY(cube_is_covered(done, &s->space.ask, c));
         s->uncovered += !*done;
     }
     if (*done)
         band_settle(&s->space, cube_index, CUBE_IN);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status suprema_sample(cube_sample *out, suprema *s, uint32_t index) {
@@ -138,25 +138,22 @@ static uint32_t next_probe(const suprema *s, uint32_t child, const double *towar
 
 graze_status suprema_probe(int *stuck, suprema *s, uint32_t index, const double *toward) {
     *stuck = 0;
-    for (;;) {
+    for (int done = 0; !done;) {
         cube_sample around;
-        int done = 0;
-        graze_status status = GRAZE_OK;
         if (cube_radius(&s->space.item[index]) > STUCK_SHARE * s->within)
-            status = band_cut(&done, &s->space, index);
-        *stuck = !status && !done;
-        if (status || *stuck)
-            return status;
+            TRY(band_cut(&done, &s->space, index));
+        *stuck = !done;
+        if (*stuck)
+            return GRAZE_OK;
         index = next_probe(s, s->space.item[index].child, toward);
         if (index == UINT32_MAX)
             return GRAZE_OK;
-        status = suprema_sample(&around, s, index);
-        if (status || around.has_out)
-            return status;
-        status = suprema_settle(&done, s, index);
-        if (status || done)
-            return status;
+        TRY(suprema_sample(&around, s, index));
+        if (around.has_out)
+            return GRAZE_OK;
+        TRY(suprema_settle(&done, s, index));
     }
+    return GRAZE_OK;
 }
 
 void supremum_finish(supremum *found, const suprema *s, const priority *wait, const double *open) {

@@ -170,23 +170,22 @@ static graze_status cut_nearest(suprema *s, uint32_t number, uint32_t index) {
     asked_part *a = &s->part[number];
     int *stuck = &s->found[GRAZE_JUDGED_INSIDE].stuck, done = 0;
     cube_sample around = {.has_out = 1};
-    graze_status status = GRAZE_OK;
     int open = index != UINT32_MAX && s->space.item[index].kind == CUBE_BAND;
     if (open && cube_radius(&s->space.item[index]) <= s->within)
-        status = suprema_sample(&around, s, index);
-    if (!status && !around.has_out)
-        status = suprema_settle(&done, s, index);
-    if (!status && !done && open && !a->is_probed &&
+        TRY(suprema_sample(&around, s, index));
+    if (!around.has_out)
+        TRY(suprema_settle(&done, s, index));
+    if (!done && open && !a->is_probed &&
         cube_radius(&s->space.item[index]) <= PROBED_SHARE * s->within) {
         double low, high;
         uint32_t nearest = band_nearest(&low, &high, &s->space, a->part.x, CUBE_BAND, 0);
         a->is_probed = 1;
         return suprema_probe(stuck, s, nearest, a->part.x);
     }
-    if (!status && !done && index != UINT32_MAX)
-        status = band_cut(&done, &s->space, index);
-    *stuck |= !status && !done;
-    return status;
+    if (!done && index != UINT32_MAX)
+        TRY(band_cut(&done, &s->space, index));
+    *stuck |= !done;
+    return GRAZE_OK;
 }
 
 /* The share of a part's bound that comes from undecided space around its reference point. */
@@ -225,20 +224,19 @@ static graze_status look_inside(suprema *s) {
     if (s->part[number].is_cut)
         return GRAZE_OK;
     double bound = smaller(inside_bound(s, &a), a.inside);
-    graze_status status = GRAZE_OK;
     uint32_t nearest = bound >= a.inside ? nearest_large(s, &a, bound - a.part.radius) : UINT32_MAX;
     if (bound >= a.inside && !is_stuck(s, &a.part) &&
         (nearest == UINT32_MAX || open_space(s, &a, bound) < a.part.radius))
         return cut_part(s, number);
     if (bound >= a.inside && a.out == INFINITY && a.steps < STEPS && a.known.pmc != GRAZE_OUT) {
-        status = step_off(s, &s->part[number]);
+        TRY(step_off(s, &s->part[number]));
         a = s->part[number];
     } else if (bound >= a.inside) {
-        status = cut_nearest(s, number, nearest);
+        TRY(cut_nearest(s, number, nearest));
     }
     bound = smaller(inside_bound(s, &a), bound);
     s->part[number].inside = bound;
-    return status ? status : priority_add(&s->inner, s->context, bound, number);
+    return priority_add(&s->inner, s->context, bound, number);
 }
 
 /* Drop parts that were cut for the other search, whose halves wait; then set both results. */
@@ -256,19 +254,19 @@ static void finish_mesh(suprema *s) {
 graze_status search_mesh_begin(suprema *s) {
     mesh_part whole;
     mesh_part_of_node(&whole, s->mesh, 0);
-    graze_status status = take_mesh_part(s, &whole, NULL);
+    TRY(take_mesh_part(s, &whole, NULL));
     finish_mesh(s);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status search_outside_step(suprema *s) {
-    graze_status status = look_outside(s);
+    TRY(look_outside(s));
     finish_mesh(s);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status search_inside_step(suprema *s) {
-    graze_status status = look_inside(s);
+    TRY(look_inside(s));
     finish_mesh(s);
-    return status;
+    return GRAZE_OK;
 }

@@ -59,13 +59,12 @@ static graze_status take_bracket(suprema *s, const cube_sample *ends, double len
 static graze_status take_nearest(int *done, suprema *s, uint32_t index) {
     const cube c = s->space.item[index];
     known_point known;
-    graze_status status = suprema_ask(&known, s, c.centre, ASK_OUT);
-    *done = !status && known.low > cube_radius(&c);
+    TRY(suprema_ask(&known, s, c.centre, ASK_OUT));
+    *done = known.low > cube_radius(&c);
     if (*done)
         band_settle(&s->space, index, CUBE_OUT);
-    if (!status)
-        take_low(s, c.centre, known.high);
-    return status;
+    take_low(s, c.centre, known.high);
+    return GRAZE_OK;
 }
 
 /* Ask the samples of a small cube, and use what they show.
@@ -74,10 +73,8 @@ static graze_status take_nearest(int *done, suprema *s, uint32_t index) {
 static graze_status ask_around_cube(int *done, int *hidden, suprema *s, uint32_t index) {
     cube_sample around;
     double radius = cube_radius(&s->space.item[index]);
-    graze_status status = suprema_sample(&around, s, index);
+    TRY(suprema_sample(&around, s, index));
     *hidden = !around.has_out;
-    if (status)
-        return status;
     if (around.has_in && around.has_out)
         return take_bracket(s, &around, BRACKET_LENGTH * larger(s->within, radius));
     return around.has_in ? suprema_settle(done, s, index) : take_nearest(done, s, index);
@@ -98,39 +95,37 @@ static graze_status look_at_cube(suprema *s) {
     const cube c = s->space.item[first.number];
     supremum *found = &s->found[GRAZE_JUDGED_SWEEP];
     int done = 0, hidden = 0;
-    graze_status status = GRAZE_OK;
     if (cube_radius(&c) <= BRACKET_CUBE * s->within ||
         cube_radius(&c) <= OPEN_CUBE * (first.bound - found->low))
-        status = ask_around_cube(&done, &hidden, s, first.number);
-    if (status || done)
-        return status;
+        TRY(ask_around_cube(&done, &hidden, s, first.number));
+    if (done)
+        return GRAZE_OK;
     if (first.bound - found->low > s->within) {
         if (hidden && cube_radius(&c) <= PROBED_SHARE * s->within) {
-            status = suprema_probe(&found->stuck, s, first.number, c.centre);
+            TRY(suprema_probe(&found->stuck, s, first.number, c.centre));
         } else {
-            status = band_cut(&done, &s->space, first.number);
+            TRY(band_cut(&done, &s->space, first.number));
             found->stuck = !done;
         }
     }
-    return status ? status : priority_add(&s->cubes, s->context, first.bound, first.number);
+    return priority_add(&s->cubes, s->context, first.bound, first.number);
 }
 
 /* Bring the queue up to date: other searches may have cut or settled its first cube. Then set the
  * result. */
 static graze_status finish_sweep(suprema *s) {
-    graze_status status = GRAZE_OK;
     const cube *first = NULL;
-    while (!status && s->cubes.count) {
+    while (s->cubes.count) {
         first = &s->space.item[s->cubes.item[0].number];
         if (first->kind == CUBE_BAND && !first->child)
             break;
         double bound = priority_take(&s->cubes).bound;
         if (first->child)
-            status = add_below(s, first->child, bound);
+            TRY(add_below(s, first->child, bound));
     }
     supremum_finish(&s->found[GRAZE_JUDGED_SWEEP], s, &s->cubes,
                     s->cubes.count ? first->centre : NULL);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status search_sweep_begin(suprema *s) {

@@ -36,13 +36,11 @@ static void judge_empty(suprema *s) {
 static graze_status search_all(suprema *s) {
     static graze_status (*const step[GRAZE_JUDGED_COUNT])(suprema *) = {
         search_outside_step, search_inside_step, search_sweep_step};
-    graze_status status = search_sweep_begin(s);
-    if (!status)
-        status = search_mesh_begin(s);
-    for (int next = most_open(s); !status && next < GRAZE_JUDGED_COUNT && !suprema_is_over(s);
-         next = most_open(s))
-        status = step[next](s);
-    return status;
+    TRY(search_sweep_begin(s));
+    TRY(search_mesh_begin(s));
+    for (int next; (next = most_open(s)) < GRAZE_JUDGED_COUNT && !suprema_is_over(s);)
+        TRY(step[next](s));
+    return GRAZE_OK;
 }
 
 static graze_status tell_times(suprema *s) {
@@ -62,25 +60,20 @@ graze_status suprema_find(suprema *out, graze_context *context, const graze_scen
                      .threads = threads};
     for (int k = 0; k < 2 * VOLUME_COUNT; k++)
         fmpq_init(out->volume + k);
-    graze_status status = band_init(&out->space, context, scene);
-    if (!status)
-        status = filter_lay_bricks(&scene->filter, context);
+    TRY(band_init(&out->space, context, scene));
+    TRY(filter_lay_bricks(&scene->filter, context));
     if (mesh->rule != GRAZE_MESH_NONE && mesh->cut.count && mesh->corners.at)
         out->space.mesh = mesh;
-    if (!status && mesh->cut.count && !mesh->corners.at)
-        status = context_fail(context, GRAZE_ELIMIT,
-                              "a coordinate of the mesh is beyond 2^200; expected less");
-    if (status)
-        return status;
+    if (mesh->cut.count && !mesh->corners.at)
+        return context_fail(context, GRAZE_ELIMIT,
+                            "a coordinate of the mesh is beyond 2^200; expected less");
     if (mesh->cut.count)
-        status = search_all(out);
+        TRY(search_all(out));
     else
         judge_empty(out);
-    if (!status)
-        status = slabs_find(out);
-    if (!status)
-        status = volumes_find(out);
-    return status || !mesh->cut.count ? status : tell_times(out);
+    TRY(slabs_find(out));
+    TRY(volumes_find(out));
+    return mesh->cut.count ? tell_times(out) : GRAZE_OK;
 }
 
 void suprema_clear(suprema *s) {

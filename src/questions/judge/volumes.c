@@ -104,8 +104,7 @@ static graze_status measure_cube(measuring *r, const cube *c, int level, mesh_pl
 static graze_status measure_around(measuring *r) {
     const box *reach = &r->s->mesh->boxes.node[0].box;
     cube last = r->s->space.item[0];
-    graze_status status = GRAZE_OK;
-    for (int level = 0; level > -DOUBLINGS && !status; level--) {
+    for (int level = 0; level > -DOUBLINGS; level--) {
         double to[3], past = 0;
         for (int i = 0; i < 3; i++) {
             double below = last.centre[i] - last.half - reach->low[i];
@@ -115,18 +114,18 @@ static graze_status measure_around(measuring *r) {
         }
         if (!(past > 0))
             return GRAZE_OK;
-        for (int k = 1; k < 8 && !status; k++) {
+        for (int k = 1; k < 8; k++) {
             cube part = {.half = last.half, .kind = CUBE_OUT};
             for (int i = 0; i < 3; i++)
                 part.centre[i] = last.centre[i] + (k >> i & 1 ? 2 * to[i] : 0);
-            status = measure_cube(r, &part, level, MESH_UNTOLD, NULL);
+            TRY(measure_cube(r, &part, level, MESH_UNTOLD, NULL));
         }
         for (int i = 0; i < 3; i++)
             last.centre[i] += to[i];
         last.half *= 2;
     }
     r->has_inside = 0;
-    return status;
+    return GRAZE_OK;
 }
 
 /* Add the volumes of the cubes of all levels; `root` is the volume of the root. */

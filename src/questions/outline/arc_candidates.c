@@ -70,7 +70,12 @@ static void set_across(moving_edge *e) {
 /* Keep a curve, or, if it is one point, keep that point and drop the curve. */
 static graze_status finish_curve(graze_outline *o, graze_context *context) {
     outline_curve *c = &o->curve[o->curve_count - 1];
-    if (!outline_curve_reduce(c))
+    LOCAL(fmpz_poly, common);
+    fmpz_poly_gcd(common, &c->x[0], &c->x[1]);
+    fmpz_poly_gcd(common, common, &c->x[2]);
+    for (int k = 0; k < 3; k++)
+        fmpz_poly_div(&c->x[k], &c->x[k], common);
+    if (outline_curve_degree(c) > 0)
         return outline_curve_degree(c) > (slong)context->limits[GRAZE_LIMIT_CURVE]
                    ? context_limit(context, GRAZE_LIMIT_CURVE, "the degree of a curve's parameter")
                    : GRAZE_OK;
@@ -79,7 +84,8 @@ static graze_status finish_curve(graze_outline *o, graze_context *context) {
         outline_curve_at(point, c, point + 2);
         TRY(outline_keep_point(&o->fixed, &o->fixed_count, &o->fixed_capacity, context, point));
     }
-    outline_curve_drop_last(o);
+    outline_curve_clear(c);
+    o->curve_count--;
     return GRAZE_OK;
 }
 
@@ -235,10 +241,8 @@ typedef struct path_finder {
     const fmpq *at;
     const simplices *cut;
     size_t *begin, *end; /* of each simplex: the first one that begins where it begins, or ends */
-    size_t *path;        /* of the first ones: the number of the path, or NO_PATH */
+    size_t *path;        /* of the first ones: the number of the path, or OUTLINE_NONE */
 } path_finder;
-
-static const size_t NO_PATH = (size_t)-1;
 
 static size_t position_at(const path_finder *f, size_t vertex) {
     for (size_t k = 0; k < f->cut->count; k++)
@@ -262,8 +266,9 @@ static void set_edge(moving_edge *e, fmpz_poly_struct *poly, const path_finder *
 /* Mark the path of an end of the edge where that end moves along the edge. */
 static graze_status mark_path(const path_finder *f, size_t position, const fmpz_poly_t across) {
     size_t path = f->path[position];
-    return path == NO_PATH ? GRAZE_OK
-                           : append_roots_in_piece(&f->o->curve[path].mark, f->context, across);
+    return path == OUTLINE_NONE
+               ? GRAZE_OK
+               : append_roots_in_piece(&f->o->curve[path].mark, f->context, across);
 }
 
 static graze_status add_of_edge(const path_finder *f, size_t piece, size_t k) {
@@ -287,7 +292,7 @@ static graze_status add_of_edge(const path_finder *f, size_t piece, size_t k) {
 
 static graze_status add_of_piece(const path_finder *f, size_t piece) {
     for (size_t k = 0; k < f->cut->count; k++) {
-        f->path[k] = NO_PATH;
+        f->path[k] = OUTLINE_NONE;
         if (f->begin[k] != k)
             continue;
         LOCAL_VEC(fmpz_poly, poly, EDGE_POLYNOMIALS);

@@ -37,6 +37,8 @@ graze_status outline_crossings(algebraic_list *out, const graze_outline *o, graz
 /** The sign of a coordinate at a parameter, minus a rational value. */
 graze_status outline_side(int *out, const graze_outline *o, graze_context *context,
                           outline_curve *c, algebraic *s, int axis, const fmpq_t value);
+/** The binary places of about a sixteenth of a size, not more than 1. */
+ulong first_places(double size);
 /** The membership of a rational point. */
 graze_status outline_pmc(graze_pmc *out, const graze_outline *o, graze_context *context,
                          const fmpq *point, trace_detail detail);

@@ -41,10 +41,6 @@ void outline_curve_clear(outline_curve *c) {
         fmpz_poly_clear(&c->x[k]);
 }
 
-void outline_curve_drop_last(graze_outline *o) {
-    outline_curve_clear(&o->curve[--o->curve_count]);
-}
-
 graze_status outline_keep_point(fmpq **list, size_t *count, size_t *capacity,
                                 graze_context *context, const fmpq *point) {
     size_t before = *capacity;
@@ -61,15 +57,6 @@ slong outline_curve_degree(const outline_curve *c) {
     for (int k = 0; k < 3; k++)
         degree = FLINT_MAX(degree, fmpz_poly_degree(&c->x[k]));
     return degree;
-}
-
-int outline_curve_reduce(outline_curve *c) {
-    LOCAL(fmpz_poly, common);
-    fmpz_poly_gcd(common, &c->x[0], &c->x[1]);
-    fmpz_poly_gcd(common, common, &c->x[2]);
-    for (int k = 0; k < 3; k++)
-        fmpz_poly_div(&c->x[k], &c->x[k], common);
-    return outline_curve_degree(c) == 0;
 }
 
 void outline_curve_at(fmpq *point, const outline_curve *c, const fmpq_t s) {

@@ -123,16 +123,19 @@ static void set_axis(prober *p) {
     p->turn = p->axis ? sign[0] : -sign[1];
 }
 
+ulong first_places(double size) {
+    int exponent = 0;
+    if (isfinite(size))
+        (void)frexp(size, &exponent);
+    return exponent < 3 ? (ulong)(3 - exponent) : 0;
+}
+
 /* Find a segment that meets no curve but the piece, and the piece once. */
 static graze_status find_segment(prober *p) {
     const outline_piece *piece = &p->o->piece[p->piece];
-    int exponent = 0;
-    double size = box_extent(&piece->box);
-    if (isfinite(size))
-        (void)frexp(size, &exponent);
     TRY(piece_middle(p->s->value, p->context, p->o, piece));
     set_axis(p);
-    for (p->k = exponent < 3 ? (ulong)(3 - exponent) : 0;; p->k += 6) {
+    for (p->k = first_places(box_extent(&piece->box));; p->k += 6) {
         if (p->k > p->context->limits[GRAZE_LIMIT_BITS])
             return context_limit(p->context, GRAZE_LIMIT_BITS, "the places of a crossing segment");
         TRY(set_sample(p));

@@ -26,11 +26,7 @@ graze_status outline_keep_point(fmpq **list, size_t *count, size_t *capacity,
                                 graze_context *context, const fmpq *point);
 /** Append an empty curve; the pointer is valid until the next one. */
 graze_status outline_curve_append(outline_curve **out, graze_outline *o, graze_context *context);
-/** Take back the last curve. */
-void outline_curve_drop_last(graze_outline *o);
 void outline_curve_clear(outline_curve *c);
-/** Divide by the common factor of the three polynomials; returns 1 if the curve is one point. */
-int outline_curve_reduce(outline_curve *c);
 /** The polynomial whose roots are the parameters at which a coordinate has a value. */
 void outline_curve_level(fmpz_poly_t out, const outline_curve *c, int coordinate, const fmpq_t at);
 /** The polynomial whose roots are the parameters at which the curve, not slanted, passes a point.

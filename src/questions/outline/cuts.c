@@ -56,14 +56,20 @@ static graze_status keep_point(graze_outline *o, graze_context *context, const o
     return GRAZE_OK;
 }
 
-static graze_status store_cuts(graze_outline *o, graze_context *context, outline_curve *c) {
-    const outline_equation *e = &o->equation[c->equation];
-    if (e->curve_count == 1 && c->proper)
+static void append_cut(outline_curve *c, const algebraic *s) {
+    algebraic_set(algebraic_list_append(&c->cut_number), s);
+}
+
+/* Cut at the ends and the marks; if others may cover the curve, they are cut there too. */
+static graze_status begin_cuts(graze_outline *o, graze_context *context, outline_curve *c) {
+    append_cut(c, &c->from);
+    append_cut(c, &c->to);
+    for (size_t i = 0; i < c->mark.count; i++)
+        append_cut(c, &c->mark.item[i]);
+    if (o->equation[c->equation].curve_count == 1 && c->proper)
         return GRAZE_OK;
-    TRY(keep_point(o, context, c, &c->from));
-    TRY(keep_point(o, context, c, &c->to));
-    for (size_t k = 0; k < c->mark.count; k++)
-        TRY(keep_point(o, context, c, &c->mark.item[k]));
+    for (size_t i = 0; i < c->cut_number.count; i++)
+        TRY(keep_point(o, context, c, &c->cut_number.item[i]));
     return GRAZE_OK;
 }
 
@@ -146,17 +152,9 @@ static graze_status order_cuts(const cutter *k) {
                : GRAZE_OK;
 }
 
-static void append_cut(outline_curve *c, const algebraic *s) {
-    algebraic_set(algebraic_list_append(&c->cut_number), s);
-}
-
 static graze_status cut_curve(graze_outline *o, graze_context *context, outline_curve *c,
                               const unsigned char *is_near) {
     const cutter k = {o, context, c, &o->equation[c->equation]};
-    append_cut(c, &c->from);
-    append_cut(c, &c->to);
-    for (size_t i = 0; i < c->mark.count; i++)
-        append_cut(c, &c->mark.item[i]);
     TRY(cut_singular(&k));
     for (size_t i = 0; i < o->equation_count; i++)
         if (is_near[i] && i != c->equation) {
@@ -193,7 +191,7 @@ graze_status outline_cuts(graze_outline *o, graze_context *context) {
     for (size_t k = 0; k < o->curve_count; k++)
         TRY(mark_folds(context, &o->curve[k]));
     for (size_t k = 0; k < o->curve_count; k++)
-        TRY(store_cuts(o, context, &o->curve[k]));
+        TRY(begin_cuts(o, context, &o->curve[k]));
     for (size_t k = 0; k < o->curve_count; k++)
         if (o->curve[k].group == k)
             TRY(cut_group(o, context, k, is_near));

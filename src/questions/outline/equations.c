@@ -8,8 +8,8 @@
 #include "questions/outline/arcs.h"
 
 /* form += p(s) times FORM_X or FORM_Y or, for `variable` 2, 1. */
-static void add_multiple(fmpz_mpoly_t form, const fmpz_poly_t p, int variable,
-                         const fmpz_mpoly_ctx_t ring) {
+static void add_to_form(fmpz_mpoly_t form, const fmpz_poly_t p, int variable,
+                        const fmpz_mpoly_ctx_t ring) {
     IN_RING(fmpz_mpoly, term, ring);
     IN_RING(fmpz_mpoly, x, ring);
     fmpz_mpoly_set_fmpz_poly(term, p, FORM_S, ring);
@@ -29,22 +29,22 @@ static graze_status find_resultant(fmpz_mpoly_t form, graze_context *context,
     LOCAL(fmpz_poly, minimal);
     if (c->slant) {
         number_minimal(minimal, &c->at);
-        add_multiple(first, minimal, 2, ring);
+        add_to_form(first, minimal, 2, ring);
     }
     for (int k = 0; k < 3 && c->slant; k++)
-        add_multiple(second, &c->x[k], k, ring);
+        add_to_form(second, &c->x[k], k, ring);
     for (int k = 0; k < 2 && !c->slant; k++) {
         fmpz_mpoly_struct *side = k ? second : first;
-        add_multiple(side, &c->x[k], 2, ring);
+        add_to_form(side, &c->x[k], 2, ring);
         fmpz_mpoly_neg(side, side, ring);
-        add_multiple(side, &c->x[2], k, ring);
+        add_to_form(side, &c->x[2], k, ring);
     }
     return form_eliminate(form, context, first, second, FORM_S, ring);
 }
 
 /* Replace a power of an irreducible form by that form, primitive and with a positive leading
- * coefficient; `exponent` becomes the exponent. */
-static graze_status find_root_form(fmpz_mpoly_t form, slong *exponent, graze_context *context,
+ * coefficient. */
+static graze_status find_root_form(fmpz_mpoly_t form, graze_context *context,
                                    const fmpz_mpoly_ctx_t ring) {
     IN_RING(fmpz_mpoly_factor, factors, ring);
     slong found = -1;
@@ -59,7 +59,6 @@ static graze_status find_root_form(fmpz_mpoly_t form, slong *exponent, graze_con
     if (found < 0)
         return context_fail(context, GRAZE_EINTERNAL, "a curve has no equation");
     LOCAL(fmpz, lead);
-    *exponent = fmpz_mpoly_factor_get_exp_si(factors, found, ring);
     fmpz_mpoly_set(form, factors->poly + found, ring);
     fmpz_mpoly_get_term_coeff_fmpz(lead, form, 0, ring);
     if (fmpz_sgn(lead) < 0)
@@ -103,10 +102,9 @@ static graze_status append_equation(graze_outline *o, graze_context *context,
 
 /* Find the equation of a curve among the known ones, or append it. */
 static graze_status number_equation(graze_outline *o, graze_context *context, outline_curve *c) {
-    slong exponent = 1;
     IN_RING(fmpz_mpoly, form, o->ring_of_forms);
     TRY(find_resultant(form, context, c, o->ring_of_forms));
-    TRY(find_root_form(form, &exponent, context, o->ring_of_forms));
+    TRY(find_root_form(form, context, o->ring_of_forms));
     if (c->slant && fmpz_mpoly_total_degree_si(form, o->ring_of_forms) == 1)
         make_rational_line(c, form, o->ring_of_forms);
     c->equation = 0;

@@ -95,11 +95,6 @@ static void set_exact_area(outline_measure *m, const outline_curve *c, algebraic
     fmpq_div(m->exact, m->exact, at);
 }
 
-static void halve_bracket(bracket *x) {
-    fmpz_fdiv_q_2exp(x->low, x->low, 1);
-    fmpz_cdiv_q_2exp(x->high, x->high, 1);
-}
-
 /* Area and length of a straight arc by its ends, the lower cut's first. */
 static graze_status measure_straight(bracket *area, bracket *length, const measurer *m,
                                      outline_curve *c, algebraic **end) {
@@ -111,7 +106,8 @@ static graze_status measure_straight(bracket *area, bracket *length, const measu
     bracket_mul(area, &a.xy[0], &b.xy[1], m->places);
     bracket_mul(&product, &a.xy[1], &b.xy[0], m->places);
     bracket_sub(area, area, &product);
-    halve_bracket(area);
+    fmpz_fdiv_q_2exp(area->low, area->low, 1);
+    fmpz_cdiv_q_2exp(area->high, area->high, 1);
     fmpz_zero(length->low);
     fmpz_zero(length->high);
     for (int i = 0; i < 2; i++) {

@@ -11,9 +11,9 @@
 /* One end of a boundary piece at its point. It leaves the box through side `side`: 0 bottom, 1
  * right, 2 top, 3 left. */
 typedef struct turn_end {
-    size_t point, piece;
-    int end, side;
-    algebraic at; /* the parameter there */
+    size_t point, number; /* number: 2 piece + end */
+    int side;
+    algebraic *at; /* the parameter there */
 } turn_end;
 
 /* A box about a point, whose places are compared with `places` binary places. `unclear`: something
@@ -27,7 +27,7 @@ typedef struct border {
     algebraic *at; /* the parameter of the last crossing, which is on `side` */
 } border;
 
-/* Of each side: the coordinate that is constant, and its entry of `end`. */
+/* The coordinate that is constant on each side, and its entry of `end`. */
 static const int side_axis[] = {1, 0, 1, 0}, side_end[] = {1, 2, 3, 0};
 
 /* Is a number in the box's range on an axis? */
@@ -81,20 +81,20 @@ static graze_status find_crossings(int *inside, border *b, outline_curve *c, alg
 
 /* The part of a piece that leaves its point at an end: all of it, or half of a loop. */
 static graze_status cross_at_end(border *b, turn_end *e) {
-    const outline_piece *p = &b->o->piece[e->piece];
+    const outline_piece *p = &b->o->piece[e->number / 2];
     int inside = 0;
     HELD(algebraic, middle);
     algebraic *from = piece_end(b->o, p, 0), *to = piece_end(b->o, p, 1);
     if (p->end[0] == p->end[1]) {
         TRY(piece_middle(middle.value, b->context, b->o, p));
-        if (e->end)
+        if (e->number % 2)
             from = &middle;
         else
             to = &middle;
     }
     TRY(find_crossings(&inside, b, &b->o->curve[p->curve], from, to));
     e->side = b->side;
-    algebraic_set(&e->at, b->at);
+    algebraic_set(e->at, b->at);
     b->unclear = b->unclear || b->crossings != 1 || inside != 1;
     return GRAZE_OK;
 }
@@ -146,9 +146,9 @@ static graze_status leaves_before(int *before, const border *b, turn_end *x, tur
     HELD(algebraic, at_y);
     graze_outline *o = b->o;
     int order = 0, along = 1 - side_axis[x->side];
-    TRY(outline_coordinate(&at_x, o, b->context, &o->curve[o->piece[x->piece].curve], &x->at,
+    TRY(outline_coordinate(&at_x, o, b->context, &o->curve[o->piece[x->number / 2].curve], x->at,
                            along));
-    TRY(outline_coordinate(&at_y, o, b->context, &o->curve[o->piece[y->piece].curve], &y->at,
+    TRY(outline_coordinate(&at_y, o, b->context, &o->curve[o->piece[y->number / 2].curve], y->at,
                            along));
     TRY(algebraic_compare(&order, b->context, &at_x, &at_y));
     *before = (order < 0) == (x->side < 2);
@@ -173,15 +173,18 @@ static graze_status sort_ends(const border *b, turn_end *end, size_t count) {
 static graze_status order_turns(graze_outline *o, graze_context *context, turn_end *end,
                                 size_t count) {
     LOCAL_VEC(fmpq, ends, 4);
-    HELD(algebraic, at);
-    border b = {.o = o, .context = context, .end = ends, .unclear = 1, .at = &at};
+    HELD(algebraic_list, at);
+    border b = {.o = o, .context = context, .end = ends, .unclear = 1};
     double size = INFINITY;
-    int exponent = 0;
+    (void)algebraic_list_append(&at);
+    for (size_t k = 0; k < count; k++) {
+        size = fmin(size, box_extent(&o->piece[end[k].number / 2].box));
+        (void)algebraic_list_append(&at);
+    }
+    b.at = &at.item[count];
     for (size_t k = 0; k < count; k++)
-        size = fmin(size, box_extent(&o->piece[end[k].piece].box));
-    if (isfinite(size))
-        (void)frexp(size, &exponent);
-    for (ulong m = exponent < 3 ? (ulong)(3 - exponent) : 0; b.unclear; m += 3) {
+        end[k].at = &at.item[k];
+    for (ulong m = first_places(size); b.unclear; m += 3) {
         if (m > context->limits[GRAZE_LIMIT_BITS])
             return context_limit(context, GRAZE_LIMIT_BITS, "the places of a box about a point");
         TRY(set_border(&b, end->point, m));
@@ -195,7 +198,7 @@ static graze_status order_turns(graze_outline *o, graze_context *context, turn_e
 
 /* Does the set's boundary, with the set on the left, arrive at the point along this end? */
 static int is_incoming(const graze_outline *o, const turn_end *e) {
-    return (o->piece[e->piece].turn > 0) == (e->end == 1);
+    return (o->piece[e->number / 2].turn > 0) == (e->number % 2 == 1);
 }
 
 /* Link the sorted ends of one point. Around it they arrive and leave by turns. */
@@ -203,13 +206,11 @@ static graze_status link_turns(turn_order *out, const graze_outline *o, graze_co
                                const turn_end *end, size_t count) {
     for (size_t k = 0; k < count; k++) {
         const turn_end *next = &end[(k + 1) % count];
-        size_t here = 2 * end[k].piece + (size_t)end[k].end;
-        size_t there = 2 * next->piece + (size_t)next->end;
         if (is_incoming(o, &end[k]) == is_incoming(o, next))
             return context_fail(context, GRAZE_EINTERNAL,
                                 "the boundary's pieces do not alternate about a point");
-        out->next[here] = there;
-        out->previous[there] = here;
+        out->next[end[k].number] = next->number;
+        out->previous[next->number] = end[k].number;
     }
     return GRAZE_OK;
 }
@@ -218,21 +219,7 @@ static int compare_turn_ends(const void *left, const void *right) {
     const turn_end *a = left, *b = right;
     if (a->point != b->point)
         return a->point < b->point ? -1 : 1;
-    size_t i = 2 * a->piece + (size_t)a->end, k = 2 * b->piece + (size_t)b->end;
-    return i < k ? -1 : i > k;
-}
-
-static graze_status order_all_points(turn_order *out, graze_outline *o, graze_context *context,
-                                     turn_end *end, size_t count) {
-    qsort(end, count, sizeof *end, compare_turn_ends);
-    for (size_t first = 0, next; first < count; first = next) {
-        for (next = first; next < count && end[next].point == end[first].point;)
-            next++;
-        if (next - first > 2)
-            TRY(order_turns(o, context, end + first, next - first));
-        TRY(link_turns(out, o, context, end + first, next - first));
-    }
-    return GRAZE_OK;
+    return a->number < b->number ? -1 : a->number > b->number;
 }
 
 graze_status outline_turns(turn_order *out, graze_outline *o, graze_context *context) {
@@ -243,13 +230,15 @@ graze_status outline_turns(turn_order *out, graze_outline *o, graze_context *con
     if (!end || !out->next || !out->previous)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
     for (size_t k = 0; k < o->piece_count; k++)
-        for (int i = 0; i < 2 && o->piece[k].turn; i++) {
-            turn_end *e = &end[count++];
-            *e = (turn_end){.point = o->piece[k].end[i], .piece = k, .end = i};
-            algebraic_init(&e->at);
-        }
-    graze_status status = order_all_points(out, o, context, end, count);
-    for (size_t k = 0; k < count; k++)
-        algebraic_clear(&end[k].at);
-    return status;
+        for (size_t i = 0; i < 2 && o->piece[k].turn; i++)
+            end[count++] = (turn_end){.point = o->piece[k].end[i], .number = 2 * k + i};
+    qsort(end, count, sizeof *end, compare_turn_ends);
+    for (size_t first = 0, next; first < count; first = next) {
+        for (next = first; next < count && end[next].point == end[first].point;)
+            next++;
+        if (next - first > 2)
+            TRY(order_turns(o, context, end + first, next - first));
+        TRY(link_turns(out, o, context, end + first, next - first));
+    }
+    return GRAZE_OK;
 }

@@ -154,19 +154,6 @@ static graze_status follow_walk(walker *w, size_t start, int inner) {
                      o->around_count);
 }
 
-static graze_status walk_all(walker *w) {
-    graze_outline *o = w->o;
-    for (size_t k = 0; k < o->arc_count; k++)
-        w->of_piece[o->arc_piece[o->arc[k].first]] = k;
-    for (int inner = 1; inner >= 0; inner--) {
-        memset(w->done, 0, o->arc_count);
-        for (size_t k = 0; k < o->arc_count; k++)
-            if (!w->done[k])
-                TRY(follow_walk(w, k, inner));
-    }
-    return GRAZE_OK;
-}
-
 graze_status outline_walks(graze_outline *o, graze_context *context, const turn_order *turns) {
     FREED(size_t, of_piece, malloc((o->piece_count + 1) * sizeof *of_piece));
     FREED(size_t, stack, malloc((o->arc_count + 1) * sizeof *stack));
@@ -175,5 +162,13 @@ graze_status outline_walks(graze_outline *o, graze_context *context, const turn_
     if (!of_piece || !stack || !at || !done)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
     walker w = {o, context, turns, of_piece, stack, at, 0, 0, done};
-    return walk_all(&w);
+    for (size_t k = 0; k < o->arc_count; k++)
+        of_piece[o->arc_piece[o->arc[k].first]] = k;
+    for (int inner = 1; inner >= 0; inner--) {
+        memset(done, 0, o->arc_count);
+        for (size_t k = 0; k < o->arc_count; k++)
+            if (!done[k])
+                TRY(follow_walk(&w, k, inner));
+    }
+    return GRAZE_OK;
 }

@@ -1,7 +1,7 @@
 /* Results and the names of their levels. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/topo/topo.h"
 
-#include "base/context/names.h"
+#include "base/context/context.h"
 #include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
