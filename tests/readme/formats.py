@@ -204,23 +204,22 @@ def columns_of_options(page, program):
     """The page's table of them is what the program does; the help has each option, and the names that it does not have itself."""
     asked, sets = Asked(program), column_sets()
     wanted = "".join(asked.row(option, columns) + "\n" for option, columns in sets.items())
-    check("\n| option | columns | lines | beside it | not beside it |\n|---|---|---|---|---|\n" + wanted + "\n" in page, f"formats.md: expected the rows\n{wanted}")
-    every = [name for columns in sets.values() for name in columns]
-    together = [asked.names(*(word for option in sets if ("unsweep" in asked.beside(option)) <= len(more) for word in asked.words(option)), *more,
-                            motion=asked.logged) for more in ([], ["--operation", "unsweep"])]
-    check(together[0] == together[0][:11] + every[:-1] and together[1] == together[1][:6] + every, "order", together)
-    rows = [re.findall(r"`(\w+)`", names) for names in re.findall(r"^\| ([^|]*) \|", "".join(re.findall(r"^\| column \| values \|\n\|[-|]+\|\n((?:\|.*\n)+)", page, re.M)), re.M)]
-    told = [name for names in rows for name in names]
+    head = "\n| option | columns | lines | beside it | not beside it |\n|---|---|---|---|---|\n"
+    check(f"{head}{wanted}\n" in page, f"formats.md: expected the rows\n{wanted}")
+    for before, more in ((11, []), (6, ["--operation", "unsweep"])):
+        taken = [option for option in sets if more or "unsweep" not in asked.beside(option)]
+        names = asked.names(*(word for option in taken for word in asked.words(option)), *more, motion=asked.logged)
+        check(names[before:] == [name for option in taken for name in sets[option]], "order", more, names)
+    tables_of_values = "".join(re.findall(r"^\| column \| values \|\n\|[-|]+\|\n((?:\|.*\n)+)", page, re.M))
     of = {name: number for number, columns in enumerate(sets.values()) for name in columns}
-    check(sorted(name for name in told if name in of) == sorted(every), "columns with values on the page", told)
-    numbers = [of[name] for name in told if name in of]
-    check(numbers == sorted(numbers), "the page has values in another order", told)
-    helped = {name: text for name, text in re.findall(r"^  --([a-z-]+)(.*(?:\n {20,}.*)*)", program.run("classify", "--help")[0], re.M)}
+    told = [name for line in tables_of_values.splitlines() for name in re.findall(r"`(\w+)`", line.split("|")[1]) if name in of]
+    check(sorted(told) == sorted(of) and told == sorted(told, key=of.get), "columns with values on the page, once and in order", told)
+    helped = dict(re.findall(r"^  --([a-z-]+)(.*(?:\n {20,}.*)*)", program.run("classify", "--help")[0], re.M))
     for option, columns in sets.items():
-        count = re.search(r"(a|one|two|three) (?:columns?|more)\b", helped[option])
-        check(not count or ["one", "two", "three"].index(count[1].replace("a", "one")) + 1 == len(columns), option, helped[option])
-        check(len(columns) > 1 or {option, f"column {next(iter(columns))}"} & {option if option in columns else "", *re.findall(r"column \w+", helped[option])},
-              option, helped[option])
+        count = re.search(r"\b(a|one|two|three) (?:columns?|more)\b", helped[option])
+        check(not count or {"a": 1, "one": 1, "two": 2, "three": 3}[count[1]] == len(columns), option, helped[option])
+        name = next(iter(columns))
+        check(len(columns) > 1 or name == option or f"column {name}" in helped[option], option, helped[option])
 
 
 def read(*parts):
