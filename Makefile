@@ -160,6 +160,9 @@ $B/%.o: %.cpp | $B/.packages-build
 	$Q$(CXX) $(ALL_CXXFLAGS) -c -o $@ $<
 # The library holds the files of a page, and the sentences of explanations.
 $B/src/output/report/sentences.o: src/output/report/sentences.json
+$(patsubst src/program/cli/help/%.txt,$B/src/program/cli/%.o,$(wildcard src/program/cli/help/*.txt)): $B/src/program/cli/%.o: src/program/cli/help/%.txt
+$B/src/program/cli/main.o: src/program/cli/help/overview.txt
+$B/src/program/cli/motion.o: src/program/cli/help/motion_examples.txt
 $B/src/output/page/assets.o: $(wildcard src/output/page/*.html src/output/page/*.js src/output/page/three/*)
 $B/src/program/mpi/%.o: src/program/mpi/%.c | $B/.packages-build
 	@mkdir -p $(@D)

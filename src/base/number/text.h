@@ -43,4 +43,18 @@ char *text_take(text *t);
 /** Hand the text over as a malloc'ed string and clear; GRAZE_ESYSTEM when memory ran short. */
 graze_status text_finish(char **out, graze_context *context, text *t);
 
+#define ASSET __attribute__((visibility("hidden")))
+
+/** Define a text that ends in NUL: the content of a file, given by its path from the repository's
+ * root. */
+#define ASSET_FILE(name, path)                                                                     \
+    __asm__(".section .rodata\n"                                                                   \
+            ".globl " #name "\n"                                                                   \
+            ".hidden " #name "\n"                                                                  \
+            ".type " #name ", %object\n" #name ":\n"                                               \
+            ".incbin \"" path "\"\n"                                                               \
+            ".byte 0\n"                                                                            \
+            ".size " #name ", . - " #name "\n"                                                     \
+            ".previous\n")
+
 #endif

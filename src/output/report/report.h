@@ -76,20 +76,6 @@ void report_width(char out[BOUND_ROOM], double value, int up);
 
 /* The sentences of explanations, for texts and for pages: sentences.json, a line for each key. */
 
-#define ASSET __attribute__((visibility("hidden")))
-
-/** Define a text that ends in NUL: the content of a file, given by its path from the repository's
- * root. */
-#define ASSET_FILE(name, path)                                                                     \
-    __asm__(".section .rodata\n"                                                                   \
-            ".globl " #name "\n"                                                                   \
-            ".hidden " #name "\n"                                                                  \
-            ".type " #name ", %object\n" #name ":\n"                                               \
-            ".incbin \"" path "\"\n"                                                               \
-            ".byte 0\n"                                                                            \
-            ".size " #name ", . - " #name "\n"                                                     \
-            ".previous\n")
-
 /** The content of sentences.json. */
 extern const char sentences[] ASSET;
 

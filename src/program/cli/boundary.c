@@ -9,40 +9,7 @@
 #include "program/io/io.h"
 #include "program/run/run.h"
 
-static const char boundary_help[] =
-    "graze boundary SOLID MOTION --depth N: the boundary of the sweep by adaptive sampling\n"
-    "\n"
-    "Example: graze boundary cube.off move.json --depth 5 --surface sweep.ply\n"
-    "\n"
-    "Cuts a box around the sweep into 2^d cells, again and again: all of them down to a coarse\n"
-    "level, then those whose corners and centre differ (in, on, out) or that hold a contact point\n"
-    "that is on, down to level N. Every point is classified exactly. The surface separates the\n"
-    "points that are out from the rest. Each vertex is on the boundary or between two points, one\n"
-    "of them out, at most 2^-20 of a cell apart; the surface is a manifold.\n"
-    "\n"
-    "LIMITS: it misses parts, holes and gaps that hold no point of the sample, and all detail\n"
-    "smaller than a cell. More --coarse and --contacts find more; no sample finds all.\n"
-    "\n"
-    "  --depth N            the finest level, up to 19 (needed)\n"
-    "  --surface FILE       .ply, .vtk, in 3D .stl: triangles (segments)\n"
-    "  --sharp              a vertex in each cell that holds an edge or corner of the sweep, where "
-    "the\n"
-    "                       tangent planes about it meet; it is placed as exactly as the others\n"
-    "  --middles            leave the vertices in the middles of cells' edges, which is faster\n"
-    "  --box x0,y0[,z0],x1,y1[,z1]   the box (default: a little more than the sweep's)\n"
-    "  --cells FILE         .vtk: the cells that were not cut: level, pmc (0: mixed), contact\n"
-    "  --points FILE        .csv, exact, or .vtk: the points and pmc (1 in, 2 on, 3 out)\n"
-    "  --format ply|vtk|stl|csv   of a FILE that is -, standard output (ply; vtk of cells; csv of "
-    "points)\n"
-    "  -o, --output FILE    write there instead of to standard output\n"
-    "  --coarse N           the level all cells are cut to (4, in the plane 5)\n"
-    "  --budget N           points to classify at most (1000000); if it is spent, the surface is\n"
-    "                       that of the last level that was finished\n"
-    "  --contacts N         contact points to make and classify (1000)\n"
-    "  --seed K             their seed (1)\n"
-    "  --jobs N             threads, at most one a core (default); any N gives the same output\n"
-    "  --round, --triangulate, --operation, --overlap, --limit,\n"
-    "  --no-filter          as in graze classify\n";
+HELP(boundary);
 
 typedef struct boundary_given {
     scene_options scene;

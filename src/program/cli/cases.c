@@ -14,17 +14,7 @@
 #include "program/io/io.h"
 #include "program/points/points.h"
 
-static const char cases_help[] =
-    "graze cases: the golden cases, each with what it shows\n"
-    "\n"
-    "Example: graze cases\n"
-    "\n"
-    "A case is a folder with README.md, the solid, motion.json, points.csv and expected.csv, the\n"
-    "table that classify must print. Exit status 0: listed; 3: the folder holds no case; 5: it\n"
-    "cannot be read.\n"
-    "\n"
-    "  --folder FOLDER      where the cases are (the folder cases here, or else those installed)\n"
-    "  -o, --output FILE    write there instead of to standard output\n";
+HELP(cases);
 
 static output list;
 

@@ -8,25 +8,7 @@
 #include "program/points/points.h"
 #include "program/run/run.h"
 
-static const char certify_help[] =
-    "graze certify SOLID MOTION POINTS -o FILE: answers that graze-check can verify\n"
-    "\n"
-    "Example: graze convert move.json -o pieces.json\n"
-    "         graze certify cube.off pieces.json points.csv -o certificate.txt\n"
-    "         graze-check cube.off pieces.json certificate.txt\n"
-    "\n"
-    "Writes a certificate: each point's answer, and hints by which graze-check, a program that\n"
-    "shares nothing with graze, proves it from SOLID (.off, .wkt) and MOTION (plain pieces)\n"
-    "alone. graze convert writes any solid and motion so; those in another form are converted to\n"
-    "FILE.off and FILE.json beside the certificate FILE, which is of them. POINTS as in graze\n"
-    "classify, which can write table and certificate in one run.\n"
-    "\n"
-    "  -o, --output FILE    write there instead of to standard output\n"
-    "  --times              each contact's time and boundary cells too\n"
-    "  --operation sweep|unsweep, --folds separate|combined, --overlap extend|reject,\n"
-    "  --jobs N, --receipt FILE, --quiet, --limit NAME=V   as in graze classify\n"
-    "  --resume FILE        continue the certificate in FILE, if there is one, after its last row\n"
-    "  --shard i/n          rows i, i + n, i + 2n, ... only; graze merge makes one of them\n";
+HELP(certify);
 
 static const option_entry certify_table[] = {
     OPTION("operation", classify_options, scene.scene.operation, value_operation),

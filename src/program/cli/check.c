@@ -8,24 +8,7 @@
 #include "program/io/io.h"
 #include "program/run/run.h"
 
-static const char check_help[] =
-    "graze check SOLID [MOTION]: is the solid, or the pair, legal, and why not\n"
-    "\n"
-    "Example: graze check cube.off move.json\n"
-    "         graze check part.stl\n"
-    "\n"
-    "Reads the files, checks them exactly, and describes them, with the box of S and one that is\n"
-    "proved to hold the sweep. Exit status 0: legal; 1: readable but illegal, the reason on\n"
-    "standard error, with the number of faults of its kind and the first few; 3: unreadable.\n"
-    "\n"
-    "  --triangulate        fan facets that are not planar from their first vertex\n"
-    "  --overlap extend|reject   S^0 and S^1 may meet (default), or may not, as [EI] assumes\n"
-    "  --operation sweep|unsweep   in an unsweep S^0 and S^1 may always meet\n"
-    "  --round none|binary64|binary32   round every number read to the nearest such float\n"
-    "  --receipt FILE       write a receipt there if both are legal, for graze classify --receipt\n"
-    "  -o, --output FILE    write there instead of to standard output\n"
-    "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, line 10^7,\n"
-    "                       cells 10^8, bytes 4*10^9, bits 100000, work 10^8\n";
+HELP(check);
 
 static const char *plural(size_t count, const char *one, const char *many) {
     return count == 1 ? one : many;

@@ -11,25 +11,7 @@
 #include "program/cli/values.h"
 #include "program/io/io.h"
 
-static const char convert_help[] =
-    "graze convert SOLID|MOTION -o FILE: the forms that graze-check reads, and of OpenSCAD\n"
-    "\n"
-    "Example: graze convert part.stl -o part.off\n"
-    "         graze convert turn.json -o pieces.json\n"
-    "         graze convert design.csg -o design.csg.json\n"
-    "\n"
-    "A solid becomes FILE.off, its facets cut into triangles, or in the plane FILE.wkt; one of\n"
-    "OpenSCAD becomes FILE.csg.json. A motion becomes FILE.json: pieces with a matrix of\n"
-    "polynomials in t or quotients of them. All numbers are exact, and solid and motion are the\n"
-    "same; facets and edges have new numbers. Make tables and certificates from these files.\n"
-    "\n"
-    "  -o, --output FILE    write there instead of to standard output\n"
-    "  --smooth[=N]         FILE.csg: what has N sides or more, $fn, is meant round (without N\n"
-    "                       all), and what has fewer has sides, as OpenSCAD makes them\n"
-    "  --near-rotation TOL  FILE.csg: take the rotation, times a number, that each entry of a\n"
-    "                       multmatrix over that number is within TOL of; how far that moves a\n"
-    "                       point at most is on standard error\n"
-    "  --triangulate, --round binary64|binary32, --limit NAME=V   as in graze classify\n";
+HELP(convert);
 
 typedef struct convert_options {
     const char *file, *output;

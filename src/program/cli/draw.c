@@ -11,37 +11,7 @@
 
 enum { TITLE_MOST = 512 };
 
-static const char draw_help[] =
-    "graze draw SOLID MOTION [POINTS] -o FILE: a picture of classes, positions and trajectories\n"
-    "\n"
-    "Example: graze draw cube.off move.json points.csv -o page.html\n"
-    "         graze draw cube.off move.json -p 5,1,2 -p 5,3,1 --times 9 -o picture.svg\n"
-    "\n"
-    "FILE is .svg, .png, .pdf or .html. Square cells, split at borders, have the exact class of\n"
-    "their centres, under outlines of S at some times; in 3D the regions of classes in a plane,\n"
-    "with contours found by exact bisection, beside a view of S. POINTS (a CSV file or -) are\n"
-    "drawn with their inverted trajectories through S and all contacts; a column id names them.\n"
-    "A page, .html, shows S, its sweep, the points and their trajectories in a browser, to be\n"
-    "turned, filtered and asked; it needs no network.\n"
-    "\n"
-    "  -o, --output FILE     the picture; - is standard output,\n"
-    "  --format svg|png|pdf|html    in that format (svg)\n"
-    "  -p X,Y[,Z]            one more point; may be given several times\n"
-    "  --grid N              cells along the longer side (240, or 360 of a wide box; by distance "
-    "half)\n"
-    "  --by class|distance   colours: the class (default), or the signed distance, with its "
-    "levels\n"
-    "  --times K             positions of S, from 2 to 64 (5)\n"
-    "  --box x0,y0[,z0],x1,y1[,z1]   the part of space to show; default: around the sweep\n"
-    "  --plane z=1/2         3D: the plane of the cells, x=, y= or z= (the middle of the box), or\n"
-    "  --plane A,B,C,D       the plane A x + B y + C z = D; or 6 numbers, a point and a normal; "
-    "or\n"
-    "                        9, three points\n"
-    "  --view X,Y,Z          3D: the direction to look from (2,-3,2)\n"
-    "  --surface N           page: level of the sweep's surface, or none (5, in the plane 8)\n"
-    "  --title TEXT          the line above the picture (the files' names); 512 bytes\n"
-    "  --operation sweep|unsweep, --folds, --overlap, --triangulate, --round, --limit NAME=V,\n"
-    "  --no-filter           as in graze classify\n";
+HELP(draw);
 
 typedef struct draw_given {
     scene_options scene;

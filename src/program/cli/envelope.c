@@ -7,32 +7,7 @@
 #include "program/cli/values.h"
 #include "program/io/io.h"
 
-static const char envelope_help[] =
-    "graze envelope SOLID MOTION: when the contact of the moving solid with its envelope changes\n"
-    "\n"
-    "Example: graze envelope cube.off turn.json\n"
-    "         graze envelope cube.off turn.json --events events.csv -n 100 --points contacts.csv\n"
-    "\n"
-    "At a time the contact points are a slice of each facet, where the boundary's speed along its\n"
-    "normal is 0, and runs on convex edges. Prints how many events there are of each kind, and\n"
-    "whether the envelope is decomposable, yes, no or undecided, and why: whether every contact\n"
-    "point stays away in time from the solid's interior.\n"
-    "\n"
-    "  --events FILE        a table of all events, with exact times: time,time_near,kind,facet,\n"
-    "                       cell,before,after; kinds are saddle, reach, meet, cusp, turn, "
-    "singular\n"
-    "  --at T,... --curve FILE   the contact points at times within the motion: slices, runs, "
-    "points\n"
-    "                       and whole facets with their ends, verdicts and chains\n"
-    "  --patches FILE       facets, edges and vertices over the intervals in which they carry "
-    "contact,\n"
-    "                       with a sample of each; --joints FILE   which of them meet, where and "
-    "when\n"
-    "  -n N --points FILE   N contact points spread over the motion, as rows of graze contact;\n"
-    "  --seed K             their seed (1)\n"
-    "  -o, --output FILE    write there instead of to standard output\n"
-    "  --operation sweep    the one that has an envelope; unsweep is refused\n"
-    "  --round, --triangulate, --overlap, --limit NAME=V   as in graze classify\n";
+HELP(envelope);
 
 typedef struct envelope_given {
     scene_options scene;

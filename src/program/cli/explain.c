@@ -7,26 +7,7 @@
 #include "program/cli/values.h"
 #include "program/io/io.h"
 
-static const char explain_help[] =
-    "graze explain SOLID MOTION X Y [Z]: the whole reasoning for one point\n"
-    "\n"
-    "Example: graze explain cube.off move.json 5 1 2\n"
-    "         graze explain cube.off move.json 1/2 -1 0.25 --sdf 1e-6\n"
-    "\n"
-    "Gives the position of the point at the ends of the motion, its inverted trajectory, each\n"
-    "contact with the boundary in order of time and why it is an intersection or a tangency, the\n"
-    "counts, and the definition and case that apply. Numbers: -12, 0.1, 1.5e-3, 22/7, all exact.\n"
-    "\n"
-    "  --sdf TOL            the signed distance too, as in graze classify\n"
-    "  --svg FILE           2D, a point that is on a sweep: draw, as .svg, .png or .pdf, which\n"
-    "                       directions about it each contact covers, which are left, a witness's\n"
-    "  --operation sweep|unsweep   the set: swept by the solid (default), or what stays in it\n"
-    "  --folds separate|combined   Definitions 6 and 7 (default), or 10 and 11\n"
-    "  --topo               the position relative to the closed sweep too\n"
-    "  --regular            of an unsweep: is the point in the closure of its interior, too\n"
-    "  -o, --output FILE    write there instead of to standard output\n"
-    "  --triangulate, --round, --overlap extend|reject, --limit NAME=V,\n"
-    "  --no-filter          as in graze classify\n";
+HELP(explain);
 
 typedef struct explain_given {
     scene_options scene;

@@ -9,42 +9,7 @@
 #include "program/cli/values.h"
 #include "program/io/io.h"
 
-static const char judge_help[] =
-    "graze judge SOLID MOTION MESH: how far is a mesh from the boundary of the sweep?\n"
-    "\n"
-    "Example: graze judge cube.off move.json swept.stl\n"
-    "         graze judge cube.off move.json swept.stl --page report.html\n"
-    "\n"
-    "MESH may be open, cross itself or have no orientation: what it lacks is reported. Then come,\n"
-    "as proved bounds, the greatest distance of the mesh to the sweep (where it is outside), to\n"
-    "the outside (where it is inside), and of the sweep's boundary to the mesh, each with a place\n"
-    "and a time; and the volumes, of what is missing from the mesh and what is too much, too.\n"
-    "Exit status: 0 a report is made; with --fail-above 1 where a distance is certainly greater,\n"
-    "the mesh faces inward or overlaps itself.\n"
-    "\n"
-    "  --within W         width of the distances' bounds (default 1e-2r); W or, of the diagonal\n"
-    "                     of the solid's box, Wr\n"
-    "  --page FILE        a page, .html: the mesh in the colours of its vertices' distances, and "
-    "the\n"
-    "                     places of the greatest ones\n"
-    "  --fail-above X     exit status 1 if a distance is certainly greater than X, or a winding\n"
-    "                     number of the mesh that was found is not 0 or 1\n"
-    "  --format text|markdown|json\n"
-    "  -o, --output FILE  write there instead of to standard output\n"
-    "  --vertices FILE    .csv: a row for each vertex of MESH with its signed distance, enclosed "
-    "to\n"
-    "                     W, and pmc; .vtk: the mesh with these as data of its points\n"
-    "  --points FILE      compare what MESH says of these points with the exact answers (- is\n"
-    "                     standard input); by default of 1000 generated ones, of all strata\n"
-    "  --answers FILE     with --points, a table of what MESH says of them: x, y, z, pmc\n"
-    "  --count N          how many are generated (1000)\n"
-    "  --seed K           their seed (1)\n"
-    "  --no-points        compare none; a mesh that is not closed is asked about none either\n"
-    "  --on-as on|any|in|out   as what the answer of points on MESH is judged (any)\n"
-    "  --budget N         ask about N cubes of space and points, and few more (default 10^7);\n"
-    "                     the bounds are those that are known then\n"
-    "  --jobs N           threads for vertices, points and the volume (1)\n"
-    "  --triangulate, --round, --limit NAME=V   as in graze classify\n";
+HELP(judge);
 
 /* Default number of generated points, and number of disagreements shown. */
 enum { DEFAULT_POINTS = 1000, POINTS_SHOWN = 5 };

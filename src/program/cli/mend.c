@@ -9,26 +9,7 @@
 #include "program/cli/values.h"
 #include "program/io/io.h"
 
-static const char mend_help[] =
-    "graze mend SOLID -o FILE.off: a legal solid out of a mesh that is none\n"
-    "\n"
-    "Example: graze mend part.stl -o part.off\n"
-    "         graze mend part.stl --weld 1e-6 -o part.off\n"
-    "\n"
-    "Reads a mesh in .off, .obj, .ply or .stl and takes the steps that move no point: equal\n"
-    "vertices become one, facets without area go, edges are split at vertices in their middle\n"
-    "(T-junctions), and where the mesh is not legal yet, facets are turned so that shells face\n"
-    "outward and cavities inward. Each thing that was done is a line on standard output. The\n"
-    "result is validated and then written, cut into triangles.\n"
-    "Holes, facets that cross or lie on one another and surfaces with one side are not mended.\n"
-    "Exit status 0: the solid is written; 1: it is not legal after that, and what is left is on\n"
-    "standard error.\n"
-    "\n"
-    "  -o, --output FILE    the file to write (needed), not SOLID itself\n"
-    "  --weld EPS           make vertices one that lie within EPS, in units of the file; this\n"
-    "                       changes the solid: a line says by how much at most, which graze\n"
-    "                       classify and compare take as an error of the motion\n"
-    "  --triangulate, --round binary64|binary32, --limit NAME=V   as in graze classify\n";
+HELP(mend);
 
 typedef struct mend_options {
     const char *output;

@@ -17,19 +17,7 @@
 #include "program/points/points.h"
 #include "program/run/run.h"
 
-static const char merge_help[] =
-    "graze merge PART...: one table of the tables of all shards, or one certificate\n"
-    "\n"
-    "Example: graze classify cube.off move.json points.csv --shard 1/2 -o part-1.csv\n"
-    "         graze classify cube.off move.json points.csv --shard 2/2 -o part-2.csv\n"
-    "         graze merge part-1.csv part-2.csv -o table.csv\n"
-    "\n"
-    "A part is a table or certificate that graze classify, contact or certify wrote for a shard.\n"
-    "The parts come in any order: all n of them, each once, whole, and of one run, with the same\n"
-    "scene, options and points. The result is that of one run without shards.\n"
-    "\n"
-    "  -o, --output FILE    write there instead of to standard output\n"
-    "  --quiet              no progress on the terminal, and no notes\n";
+HELP(merge);
 
 typedef struct merge_options {
     const char *output; /* NULL: standard output */

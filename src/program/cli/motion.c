@@ -13,58 +13,8 @@
 #include "program/io/io.h"
 #include "program/points/points.h"
 
-static const char motion_help[] =
-    "graze motion KIND ...: an exact motion file from angles or poses, its error proved and "
-    "printed\n"
-    "\n"
-    "Example: graze motion line --by 8,0,0 -o move.json\n"
-    "         graze motion rotate --degrees 90 --axis 0,0,1 -o turn.json\n"
-    "         graze motion poses log.csv -o path.json\n"
-    "\n"
-    "  line --by X,Y,Z      a straight line, for t from 0 to 1; exact; --by X,Y in the plane\n"
-    "  rotate --degrees A [--axis X,Y,Z] [--center ...]   a turn that ends near the angle; exact\n"
-    "                       on the way, quarter turns exact; its speed is not uniform\n"
-    "  screw --degrees A [--axis X,Y,Z] [--center ...] [--pitch H]   a uniform turn that moves H\n"
-    "                       along the axis with every 360 degrees\n"
-    "  joints J1 J2 ...     uniform joints as they stand at t = 0, J1 applied first, each one of\n"
-    "                       turn:DEGREES[:AXIS[:CENTER]], slide:WAY, "
-    "screw:DEGREES:PITCH:AXIS[:CENTER]\n"
-    "  poses FILE.csv       through poses: columns t, x,y,z (or left out), qw,qx,qy,qz; or a "
-    "tool's\n"
-    "                       axis i,j,k; or angles; or m00 to m33; names as in ROS, too; or rows "
-    "of\n"
-    "                       TUM, or of 4x4 matrices, without names\n"
-    "  gcode FILE           of G-code, G0 to G3: a tool, its tip at the origin; one unit of t a "
-    "line\n"
-    "  dyadic MOTION        a motion file near MOTION; as --dyadic\n"
-    "\n"
-    "  -o, --output FILE, --report FILE   the motion (standard output), the errors (standard "
-    "error)\n"
-    "  --tolerance E        no point is off by more than E at any time (1e-9; screw, joints "
-    "1e-6),\n"
-    "  --radius R           if it is within R of the origin at t = 0 (1)\n"
-    "                       poses: no entry of a matrix is changed by more than E (1e-6)\n"
-    "                       gcode: an arc or helix that is off by more is refused (5e-3)\n"
-    "  --start X,Y,Z        gcode: the tip before the first line\n"
-    "  --affine             poses: take matrices as they are, interpolate their entries\n"
-    "  --shortest, --long   poses: change signs of quaternions that ask for over half a turn, to\n"
-    "                       the short way (default), or keep them\n"
-    "  --slerp              poses: turn between poses as SLERP does, off by at most E radians\n"
-    "  --columns NAME=COLUMN,...   poses: the file's name of a column, as tx=pos_x,row=N\n"
-    "  --angles MACHINE     poses: three angles in degrees are those of a kuka, fanuc, staubli,\n"
-    "                       kawasaki or cnc, or rpy: yaw, pitch, roll\n"
-    "  --ignore NAME        poses: pass over a column, or all that begin so (NAME*); repeatable\n"
-    "  --scale F, --from T, --to T, --every N   poses: times F; in [T, T]; every Nth, and the "
-    "last\n"
-    "  --dyadic             entries that are polynomials get dyadic coefficients, off by at most "
-    "E,\n"
-    "                       so that contacts have binary64 coordinates; turns stay as they are\n"
-    "  --numbers binary64|written   poses: the doubles they were printed from (default), or exact\n"
-    "  --dimension 2|3      3, or 2: no axis; CENTER and WAY have two coordinates; poses: x,y and\n"
-    "                       qw,qz, theta (radians) or an angle; z is left out, tilts within E\n"
-    "  --limit NAME=V       pieces 10000 and others, as in graze check\n"
-    "  --examples           motion files with every key, one a line; man 5 graze-motion explains "
-    "them\n";
+HELP(motion);
+HELP(motion_examples);
 
 /* Options that only some kinds take. */
 enum {
@@ -454,7 +404,7 @@ static int run_motion(void *options, const operands *given) {
     if (j.o->examples)
         return given->count
                    ? complain(EXIT_USAGE, "--examples stands alone; see graze motion --help")
-                   : output_text(j.o->output, motion_examples);
+                   : output_text(j.o->output, motion_examples_help);
     int status = context_make(&j.context, &j.o->context);
     mpq_inits(j.tolerance, j.radius, j.ends[0], j.ends[1], j.ends[2], NULL);
     if (!status)

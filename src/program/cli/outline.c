@@ -6,26 +6,7 @@
 #include "program/cli/values.h"
 #include "program/io/io.h"
 
-static const char outline_help[] =
-    "graze outline SOLID MOTION: the exact boundary of a planar sweep: arcs, holes, area\n"
-    "\n"
-    "Example: graze motion rotate --degrees 90 --dimension 2 -o quarter.json\n"
-    "         echo 'POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))' > bar.wkt\n"
-    "         graze outline bar.wkt quarter.json --arcs arcs.csv\n"
-    "\n"
-    "SOLID is a polygon, with holes or without. Prints components, holes, the Euler\n"
-    "characteristic, the number of arcs, area and length of the boundary, and lower parts: seams\n"
-    "of a sweep, dangling parts of an unsweep. The area is a rational where it is known as one,\n"
-    "else it lies between two decimals.\n"
-    "\n"
-    "  --operation sweep|unsweep   as in graze classify; of an unsweep: the boundary of the\n"
-    "                       closure of its interior\n"
-    "  --width TOL          greatest width of an enclosed area or length, relative to its size\n"
-    "                       (1e-12)\n"
-    "  --format text|json   json: one object, with vertices, arcs, their sources, and rings\n"
-    "  --arcs FILE          a table of arcs, CSV, a row each\n"
-    "  -o, --output FILE    write there instead of to standard output\n"
-    "  --overlap, --round, --triangulate, --limit NAME=V   as in graze classify\n";
+HELP(outline);
 
 typedef struct outline_given {
     scene_options scene;

@@ -9,28 +9,7 @@
 #include "program/cli/values.h"
 #include "program/io/io.h"
 
-static const char solid_help[] =
-    "graze solid KIND ...: a tool or a simple body: a polyhedron as OFF, or exactly\n"
-    "\n"
-    "Example: graze solid box --size 2,2,2 -o cube.off\n"
-    "         graze solid cutter --diameter 6 --corner 3 --length 20 --outside ball-end.off\n"
-    "\n"
-    "  cutter --diameter D --length L [--corner R] [--taper A]   a milling tool: its tip is the\n"
-    "                       origin, its axis z; R = D/2 is a ball end; A degrees between side and\n"
-    "                       axis, positive where it is wider above; D where the corner is widest\n"
-    "  cylinder --diameter D --length L   about the z axis, from z = 0 up\n"
-    "  ball --diameter D    on the plane z = 0, above the origin\n"
-    "  box --size X,Y,Z     from the origin up; exact\n"
-    "\n"
-    "  -o, --output FILE    write there instead of to standard output\n"
-    "  --at X,Y,Z           moved by this\n"
-    "  --exact              the body itself as .csg.json, no polyhedron\n"
-    "  --tolerance E        no point of the surface is further from the true one (D/200)\n"
-    "  --inside FILE        the polyhedron that is a part of the body, as -o\n"
-    "  --outside FILE       the one that the body is a part of; with --inside both\n"
-    "  --limit NAME=V       cells 100000000, digits 10000\n"
-    "\n"
-    "Both are convex, and proved to be within E; standard error has the error.\n";
+HELP(solid);
 
 enum { DIAMETER, LENGTH, CORNER, TAPER, TOLERANCE, SIZE, AT, OWN };
 

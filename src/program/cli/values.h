@@ -105,6 +105,11 @@ void candidate_remove(const char *folder);
 #define OPTIONS_END                                                                                \
     { NULL, OPTION_FLAG, NULL, 0 }
 
+/** Define word_help, the text of help/word.txt. */
+#define HELP(word)                                                                                 \
+    extern const char word##_help[] ASSET;                                                         \
+    ASSET_FILE(word##_help, "src/program/cli/help/" #word ".txt")
+
 /** COMMAND(mend, mend_options, .reads = 1) defines command_mend from mend_table, mend_help and
  * run_mend. */
 #define COMMAND(word, type, ...)                                                                   \
@@ -230,10 +235,6 @@ int marks_take_points(marks *m, const char *const *points, int count, graze_cont
 void marks_give(graze_draw_options *out, const marks *m);
 
 /* Examples of motion files. */
-
-/** Motion files that together have every key; each is one line of JSON behind a `#` line that
- * describes it. */
-extern const char motion_examples[];
 
 /* Values of options that several commands take.
  *
