@@ -144,7 +144,7 @@ class Motions(unittest.TestCase):
         for motion in (flat, same):
             bar = graze.Scene(graze.Solid(([(0, 0), (2, 0), (2, 1), (0, 1)], [[0, 1, 2, 3]])), motion)
             self.assertEqual([bar.trace(p).word[-1] for p in ((3, 2), (F(7, 2), F(3, 2)), (9, 9))], ["B", "I", "O"])
-        with self.assertRaisesRegex(graze.InputError, "pose 2: the pose turns out of the plane"):
+        with self.assertRaisesRegex(graze.InputError, r"poses\[1\]: the pose turns out of the plane"):
             graze.Motion.poses([[0, 0, 0, 1, 0, 0, 0], [4, 0, 0, 1, 1, 0, 0]], quaternions="wxyz", dimension=2)
         with self.assertRaises(graze.UseError):
             graze.Motion.poses([[0, 0, 0, 1, 0, 0, 0]] * 2, quaternions="wxyz", dimension=4)
