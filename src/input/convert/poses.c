@@ -81,8 +81,8 @@ static void flatten_pose(mpfr_t off, pose *p, int affine) {
     root_above(off, square);
 }
 
-static graze_status flatten(text *report, graze_context *context, const pose_list *list, int affine,
-                            const fmpq_t tolerance) {
+static graze_status flatten_poses(text *report, graze_context *context, const pose_list *list,
+                                  int affine, const fmpq_t tolerance) {
     char digits[DIGITS_ROOM];
     int above = 0;
     LOCAL_MPFR(off, 64);
@@ -257,7 +257,7 @@ graze_status convert_poses(conversion *out, graze_context *context, const char *
     if (!affine)
         TRY(find_quaternions(out, context, &list, choice, tolerance));
     if (list.dimension == 2)
-        TRY(flatten(&out->report, context, &list, affine, tolerance));
+        TRY(flatten_poses(&out->report, context, &list, affine, tolerance));
     if (affine) {
         put_matrices(&out->motion, &list);
         return GRAZE_OK;

@@ -54,7 +54,7 @@ static void turn_on(fmpq *out, const half_angle *h, int axis) {
 }
 
 /* Divide a quarter of an angle by pi. Three roundings change the angle by less than itself times
- * 2^(2 - ANGLE_BITS), a bound of which is added to `error`. */
+ * 2^(2 - ANGLE_BITS), which is added to `error`. */
 static void divide_by_pi(fmpq_t f, mpfr_t error) {
     LOCAL_MPFR(value, ANGLE_BITS);
     LOCAL_MPFR(pi, ANGLE_BITS);
