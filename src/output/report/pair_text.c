@@ -15,6 +15,12 @@ const char *pair_verdict_name(graze_pair_verdict verdict) {
                                            : "none";
 }
 
+const char *pair_verdict_word(const graze_pair *pair) {
+    graze_pair_verdict verdict = collide_verdict(pair);
+    int inside = pair->options.first && pair->pair.complement && verdict == GRAZE_PAIR_CLEAR;
+    return inside ? "inside" : pair_verdict_name(verdict);
+}
+
 const char *cell_pair_name(const graze_cell_pair *cells) {
     static const char *const names[4][4] = {{"", "", "", ""},
                                             {"", "facet-facet", "facet-edge", "facet-vertex"},
@@ -114,9 +120,53 @@ static void tell_verdict(text *t, const graze_pair *pair) {
     text_put(t, "\n");
 }
 
+/* Append a bound, a number by report_bound. */
+static void tell_bound(text *t, double bound, int up) {
+    char decimal[BOUND_ROOM];
+    report_bound(decimal, bound, up);
+    text_put(t, decimal);
+}
+
+/* Append the least distance, its time and its places. */
+static void tell_closest(text *t, const graze_pair *pair) {
+    const graze_closest *c = &pair->closest;
+    text_put(t, "closest ");
+    tell_bound(t, c->low, 0);
+    if (c->high > 0) {
+        text_put(t, " to ");
+        tell_bound(t, c->high, 1);
+    }
+    text_put(t, " at ");
+    tell_pair_time(t, c->time);
+    for (int side = 0; side < 2 && c->placed; side++) {
+        for (int i = 0; i < pair->pair.motion->dimension; i++)
+            text_format(t, "%s%.17g", i ? ", " : side ? " and (" : ": (", c->at[side][i]);
+        text_put(t, side ? ") of FIXED" : ") of MOVING");
+    }
+    text_put(t, c->wide ? ", wide\n" : "\n");
+}
+
 void pair_text(text *out, const graze_pair *pair) {
     tell_verdict(out, pair);
     text_format(out, "word %s\n", pair->walk.word);
     for (size_t k = 0; k < pair->walk.contact_count; k++)
         tell_contact(out, pair, &pair->walk.contact[k]);
+    if (pair->closest.time)
+        tell_closest(out, pair);
+}
+
+void pair_fields(text *out, const graze_pair *pair) {
+    const pair_contact *c = pair->walk.contact_count && !pair->start ? pair->walk.contact : NULL;
+    const char next[] = {(char)collide_next(pair), '\0'};
+    text_format(out, "%s,%s,", pair_verdict_word(pair), pair->walk.word);
+    report_put_time_near(out, c ? c->from : pair->start);
+    text_put(out, ",");
+    if (pair->options.first)
+        text_format(out, "%s,", next);
+    for (size_t k = 0; c && k < c->cells.count; k++) {
+        text_put(out, k ? "; " : "");
+        tell_body_cell(out, pair, 0, c->cells.item[k].moving);
+        text_put(out, " with ");
+        tell_body_cell(out, pair, 1, c->cells.item[k].fixed);
+    }
 }
