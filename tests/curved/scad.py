@@ -172,10 +172,10 @@ SCENES = [
     ("hull of balls on a line", of("hull", *(moved(k, k, 0, sphere(1)) for k in (3, 0, 4, 1))), ("4", "t", "0"), "OBIBO", [[14, -8, 1], 5]),
     # x + y + z <= 6 + sqrt 3 over the face of the tetrahedron, x >= -1 over that in x = 0; y = z = 1 is over both.
     ("hull of four balls", CORNERS, ("t", "1", "1"), "OBIBO", [-1, [13, -8, 1]]),
-    # Of the edge from (6, 0, 0) to (0, 0, 6) at distance^2 9/25 + (x - 3)^2 / 2.
+    # Beside the edge from (6, 0, 0) to (0, 0, 6) at distance^2 9/25 + (x - 3)^2 / 2.
     ("hull of four balls, an edge", CORNERS, ("t", "-3/5", "3"), "OBIBO", [F(-4, 5), [193, -150, 25]]),
     ("hull of disks", of("hull", circle(1), moved(4, 0, 0, circle(1)), moved(0, 3, 0, circle(1))), ("t", "1"), "OBIBO", [-1, F(13, 3)]),
-    # Of the cube [0, 2]^3: over a face, over an edge, over a corner, where x^2 = 1 - 4/9 - 1/9.
+    # The cube [0, 2]^3, over a face, over an edge, and over a corner, where x^2 = 1 - 4/9 - 1/9.
     ("rounded cube", ROUNDED, ("t", "1", "1"), "OBIBO", [-1, 3]),
     ("rounded cube, an edge", ROUNDED, ("t", "-3/5", "1"), "OBIBO", [F(-4, 5), F(14, 5)]),
     ("rounded cube, a corner", ROUNDED, ("t", "-2/3", "-1/3"), "OBIBO", [F(-2, 3), F(8, 3)]),

@@ -85,6 +85,11 @@ WEDGE = ('{"dimension": 3, "solid": {"difference": [{"polygon": {"points": [[0, 
          '{"halfspace": {"normal": [2, 0, 1], "offset": "1/2"}}]}}')
 HULL = ("// a hull\nhull() {cube(size = [1, 1, 1]); cube(size = [0, 1, 1]); multmatrix([[1, 0, 0, 2], [0, 1, 0, 1], [0, 0, 1, 0], "
         "[0, 0, 0, 1]]) {cube(size = [1, 1, 1]);}}")
+ROUND = ("linear_extrude(height = 1) {offset(r = -0.25) {square(size = [1, 1]); sphere(r = 1);}}\nminkowski() {polyhedron(points = "
+         "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], faces = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]); sphere(r = 1);}\n"
+         "rotate_extrude(angle = 30) {square(size = [1, 1]);}\nhull() {sphere(r = 1); multmatrix([[1, 0, 0, 2], [0, 1, 0, 1], [0, 0, 1, 0], "
+         "[0, 0, 0, 1]]) {sphere(r = 1);}}\npolyhedron(points = [[0, 0, 0], [3, 0, 0], [0, 3, 0], [0, 0, 3], [1, 1, 1]], faces = [[0, 2, 1], "
+         "[0, 1, 3], [0, 3, 2], [1, 2, 4], [2, 3, 4], [3, 1, 4]]);")
 BALL = '{"dimension": %d, "solid": {"ball": {"radius": "1"}}}'
 TOUCHING = """{"dimension": 3, "solid": {"difference": [
   {"torus": {"point": ["0", "0", "0"], "axis": ["0", "0", "1"], "major": "2", "minor": "1"}},
@@ -125,7 +130,7 @@ def put(folder):
     texts = {"cube.off": OFF, "cube.obj": OBJ, "cube.ply": PLY, "cube.stl": STL, "u.wkt": WKT, "turn.json": TURN,
              "roll.json": ROLL, "2.csv": POINTS2, "3.csv": POINTS3, "poses.csv": POSES, "matrices.csv": MATRICES, "program.nc": PROGRAM,
              "answers.csv": ANSWERS, "sites2.csv": SITES2, "sites3.csv": SITES3,
-             "touching.csg.json": TOUCHING, "touch.json": TOUCH, "touch.csv": "x,y,z\n13/5,0,4/5\n", "body3.csg.json": BODY3, "cut.csg.json": CUT, "wedge.csg.json": WEDGE, "hull.csg": HULL, "body2.csg.json": BODY2, "ball2.csg.json": BALL % 2, "ball3.csg.json": BALL % 3, "curved3.csv": CURVED3, "curved2.csv": CURVED2,
+             "touching.csg.json": TOUCHING, "touch.json": TOUCH, "touch.csv": "x,y,z\n13/5,0,4/5\n", "body3.csg.json": BODY3, "cut.csg.json": CUT, "wedge.csg.json": WEDGE, "hull.csg": HULL, "round.csg": ROUND, "body2.csg.json": BODY2, "ball2.csg.json": BALL % 2, "ball3.csg.json": BALL % 3, "curved3.csv": CURVED3, "curved2.csv": CURVED2,
              "golden-sites.csv": GOLDEN_SITES, "answered-sites.csv": ANSWERED_SITES}
     place = folder / "input"
     place.mkdir()
@@ -255,6 +260,7 @@ def make(graze, folder):
     yield Scene("curved-touching", ["classify", *one, at["touching.csg.json"], at["touch.json"], at["touch.csv"]])
     yield Scene("planes-convert", ["convert", at["wedge.csg.json"]])
     yield Scene("hull-convert", ["convert", at["hull.csg"], "--smooth=5"])
+    yield Scene("round-convert", ["convert", at["round.csg"], "--near-rotation", "1/100"])
     yield Scene("curved-moments", ["classify", *one, "--moments", body3, turn, at["curved3.csv"]])
     yield Scene("curved-explain", ["explain", body2, roll, "0", "0", "--limit", "work=20000"])
     yield Scene("curved-draw", ["draw", at["ball2.csg.json"], roll, "--grid", "2", "-p", "5,1", "-o", "made.svg"])

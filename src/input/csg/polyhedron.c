@@ -7,8 +7,8 @@
  * face outward, and their sum has no boundary. So the hull is the intersection of the half-spaces
  * of the triangles.
  *
- * Of a polyhedron that is not convex a point is part iff the ray downwards from it crosses an odd
- * number of triangles, that is, iff it is in an odd number of the sets of points above a triangle,
+ * A point is in a polyhedron that is not convex iff the ray downwards from it crosses an odd number
+ * of triangles, that is, iff it is in an odd number of the sets of points above a triangle,
  * between the vertical planes through its edges. Where such a plane is no boundary of the
  * polyhedron, its sign does not change the parity, since each edge is one of an even number of
  * triangles.

@@ -63,7 +63,7 @@ graze_status hull_of_space(hull_faces *faces, hull_points *p, graze_context *con
 typedef struct scad_shape {
     hull_points points;
     hull_faces faces; /* as of hull_of_space; none in the plane */
-    numbers end;      /* of the plane: one past the last point of a ring */
+    numbers end;      /* in the plane: one past the last point of a ring */
     fmpq_t radius;
 } scad_shape;
 

@@ -53,8 +53,8 @@ void scad_shape_clear(scad_shape *s) {
 
 /* Read a part, or with `inner` the union of the node's children, as a solid of its own; `mesh` is
  * that of a flat one. */
-static graze_status read_part(csg *solid, soup *mesh, scad_writer *w, const scad_place *p,
-                              size_t part, int inner) {
+static graze_status read_round_part(csg *solid, soup *mesh, scad_writer *w, const scad_place *p,
+                                    size_t part, int inner) {
     HELD(text, t);
     csg_form form = CSG_CURVED;
     TRY(w->part(&t, w, part, inner));
@@ -135,13 +135,13 @@ static graze_status add_sums(hull_points *sum, graze_context *context, const hul
 
 /* Add a part to a hull or a sum. In the plane one part of a sum may have notches and holes, if the
  * others are disks; `flat` counts the others. */
-static graze_status add_part(scad_shape *out, size_t *flat, scad_writer *w, const scad_place *p,
-                             size_t part, int inner) {
+static graze_status add_summand(scad_shape *out, size_t *flat, scad_writer *w, const scad_place *p,
+                                size_t part, int inner) {
     ZEROED(csg, solid);
     ZEROED(hull_points, points);
     HELD(soup, mesh, 3);
     int sum = p->file->node[p->node].role != SCAD_HULL;
-    TRY(read_part(&solid, &mesh, w, p, part, inner));
+    TRY(read_round_part(&solid, &mesh, w, p, part, inner));
     if (solid.round_count > 0)
         TRY(add_centers(sum ? &points : &out->points, out->radius, p, &solid, sum));
     else if (!sum && mesh.vertex_count > 0 && !fmpq_is_zero(out->radius))
@@ -172,7 +172,7 @@ graze_status scad_hull(scad_shape *out, scad_writer *w, const scad_place *p) {
     TRY(scad_known(p, offset ? "r" : "convexity"));
     for (; c; c = offset ? 0 : scad_next(file, c))
         if (!file->node[c].empty)
-            TRY(add_part(out, &flat, w, p, c, offset));
+            TRY(add_summand(out, &flat, w, p, c, offset));
     if (offset)
         TRY(scad_named_number(more, p, "r"));
     fmpq_add(out->radius, out->radius, more);

@@ -45,7 +45,7 @@ static graze_status read_path(scad_shape *r, scad_writer *w, const scad_place *p
     return end_ring(r, w);
 }
 
-static graze_status read_polygon(scad_shape *r, scad_writer *w, const scad_place *p) {
+static graze_status read_point_rings(scad_shape *r, scad_writer *w, const scad_place *p) {
     field list, value, rest, item;
     size_t count = 0;
     TRY(scad_known(p, "points paths convexity"));
@@ -113,7 +113,7 @@ static graze_status read_rings(scad_shape *r, scad_writer *w, const scad_place *
     return role == SCAD_SQUARE   ? read_square(r, w, p)
            : role == SCAD_CIRCLE ? read_sided_circle(r, w, p)
            : role < SCAD_CUBE    ? read_hull(r, w, p)
-                                 : read_polygon(r, w, p);
+                                 : read_point_rings(r, w, p);
 }
 
 /* A square as a box. */
@@ -135,7 +135,7 @@ static void put_scad_ring(scad_writer *w, const char *key, const scad_shape *r, 
     json_close(&w->json, ']');
 }
 
-static void put_rings(scad_writer *w, const scad_place *p, const scad_shape *r) {
+static void put_polygon_rings(scad_writer *w, const scad_place *p, const scad_shape *r) {
     scad_open(w, p, "polygon", '{');
     put_scad_ring(w, "points", r, 0);
     if (r->end.count > 1)
@@ -156,7 +156,7 @@ static graze_status write_polygon(scad_writer *w, const scad_place *p) {
     LOCAL(fmpq, radius);
     TRY(read_rings(&r, w, p));
     if (fmpq_is_zero(r.radius)) {
-        put_rings(w, p, &r);
+        put_polygon_rings(w, p, &r);
         return GRAZE_OK;
     }
     if (w->form == SCAD_REVOLVED)
@@ -164,7 +164,7 @@ static graze_status write_polygon(scad_writer *w, const scad_place *p) {
     fmpq_abs(radius, r.radius);
     scad_open(w, p, fmpq_sgn(r.radius) < 0 ? "difference" : "union", '[');
     if (r.points.count > 2)
-        put_rings(w, p, &r);
+        put_polygon_rings(w, p, &r);
     for (size_t k = 0, ring = 0, first = 0; k < r.points.count; k++) {
         size_t last = k + 1 == r.end.item[ring], next = last ? first : k + 1;
         if (r.points.count != 2 || k == 0 || w->form == SCAD_PRISM)
