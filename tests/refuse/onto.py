@@ -23,7 +23,7 @@ from harness import ROOT, Checks, options, run  # noqa: E402
 
 COMMON = pathlib.Path(ROOT, "tests", "refuse", "common")
 CSV, SCENE = "1,1\n5,1\n9,9\n", ["S.wkt", "M.json"]
-SITES = "time,x,y\n1/2,2,1\n"
+SITES, LIST = "time,x,y\n1/2,2,1\n", "moving,motion,fixed\nS.wkt,M.json,S.wkt\n"
 # Endings of what an option writes where that is not its value.
 ENDINGS = {("validate", "--output"): [".md", ".json"], ("validate", "--keep"): ["/points.csv", "/golden.csv", "/candidate.csv"]}
 
@@ -63,6 +63,7 @@ ROWS = [
     Row("envelope S.wkt M.json --at 1/2 -n 2", SCENE,
         {"--events": "o", "--curve": "o", "--patches": "o", "--joints": "o", "--points": "o", "--output": "o"}),
     Row("collide S.wkt M.json S.wkt", SCENE, {"--output": "o", "-o": "o"}, reads=["--motion-of-fixed"], ends=1),
+    Row("collide --list L.csv", ["L.csv"], {"--resume": "o"}, reads=["--motion-of-fixed"], ends=1),
     Row("outline S.wkt M.json", SCENE, {"--arcs": "o", "--output": "o", "-o": "o"}),
     Row("judge B.off B.json B.off --within 1 --count 1", ["B.off", "B.json"], {"--vertices": "o.csv", "--answers": "o.csv", "--page": "o.html", "--output": "o"},
         reads=["--points"]),
@@ -97,7 +98,7 @@ class Bench:
         for name, old in (("S.wkt", "square.wkt"), ("M.json", "move2.json"), ("S.off", "cube.off"), ("B.off", "cube.off"),
                           ("B.json", "move3.json")):
             shutil.copy(COMMON / old, self.inputs / name)
-        for name, text in (("P.csv", CSV), ("B.csv", "1,1,1\n"), ("C.csv", SITES), ("G.nc", "G0 X0 Y0 Z0\nG1 X1\n"), ("Q.csv", "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,1,0,0,1,0,0,0\n")):
+        for name, text in (("P.csv", CSV), ("B.csv", "1,1,1\n"), ("C.csv", SITES), ("L.csv", LIST), ("G.nc", "G0 X0 Y0 Z0\nG1 X1\n"), ("Q.csv", "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,1,0,0,1,0,0,0\n")):
             (self.inputs / name).write_text(text)
         for words in ("check S.wkt M.json --receipt R", "classify S.wkt M.json P.csv -o T.csv", "classify S.wkt M.json P.csv -o T2.csv",
                       "classify S.wkt M.json P.csv --shard 1/2 -o 1.csv", "classify S.wkt M.json P.csv --shard 2/2 -o 2.csv"):
