@@ -41,7 +41,24 @@ typedef struct graze_pair_options {
                   cheaper */
     mpq_srcptr clearance; /**< R >= 0: states tell the distance, O above R, B at R, I below R, where
                              cells at distance R count as meeting; NULL or 0: the states above */
+    double closest; /**< above 0: enclose the least distance too, at most this wide; 0: do not */
+    int closest_relative; /**< 1: `closest` is a fraction of the sum of both solids' sizes: a size
+                             is the longest side of the box around vertices, centres and ends of
+                             axes, plus the greatest diameter of a ball or capsule */
 } graze_pair_options;
+
+/** The least distance of two solids during a motion; enclosures for smaller widths lie in those for
+ * greater ones. */
+typedef struct graze_closest {
+    double low, high; /**< it lies between these; both are 0 where the solids meet */
+    int wide;         /**< 1: high - low is more than was asked for: doubles are no finer, or the
+                         limit of 200 questions was met */
+    const graze_time *time; /**< the distance is at most `high` then; where they meet, the first
+                               time; NULL if it was not asked for. Borrowed from the pair */
+    int placed;             /**< 1: `at` is set; 0 where they meet */
+    double at[2][3]; /**< decimals of a point of the moving and of the fixed solid, in the world,
+                        that are at most `high` apart at `time` */
+} graze_closest;
 
 /** Two boundary cells, relatively open, that have a point in common, or points at the clearance; in
  * the numbering of the input. Vertices of a union of balls and capsules are counted through these:
@@ -89,6 +106,8 @@ GRAZE_API const char *graze_pair_word(const graze_pair *pair);
 /** The state just after the first contact begins: B where it lasts, else I or O; absent where the
  * motion ends there, for other verdicts than GRAZE_PAIR_CONTACT, and for NULL. */
 GRAZE_API graze_state graze_pair_next(const graze_pair *pair);
+/** The least distance, whatever the clearance; zero if it was not asked for, and for NULL. */
+GRAZE_API graze_closest graze_pair_get_closest(const graze_pair *pair);
 /** Number of contacts; 0 for NULL. */
 GRAZE_API size_t graze_pair_contact_count(const graze_pair *pair);
 /** Contact `index`, in order of time; zero past the end. */

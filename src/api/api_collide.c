@@ -1,6 +1,7 @@
 /* The public functions of pairs. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "api/api.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
@@ -37,6 +38,8 @@ static graze_status make_pair(graze_pair *made, graze_context *context,
         made->pair.motion = made->own;
     }
     TRY(collide_set_clearance(made, context, motion_of_fixed));
+    if (options->closest > 0)
+        TRY(collide_closest(made, context, motion_of_fixed));
     return collide_answer(made, context);
 }
 
@@ -47,6 +50,12 @@ static graze_status check_pair_options(graze_pair_options *out, graze_context *c
         return api_misuse(context, name, "the question has an unknown value");
     if (out->first != 0 && out->first != 1)
         return api_misuse(context, name, "options.first must be 0 or 1");
+    if (!(out->closest >= 0 && isfinite(out->closest)))
+        return api_misuse(context, name, "options.closest must be a positive finite width, or 0");
+    if (out->closest_relative != 0 && out->closest_relative != 1)
+        return api_misuse(context, name, "options.closest_relative must be 0 or 1");
+    if (out->closest > 0 && (out->first || out->question == GRAZE_PAIR_INSIDE))
+        return api_misuse(context, name, "the least distance goes without first and inside");
     if (!out->clearance)
         return GRAZE_OK;
     TRY(api_rational_check(context, out->clearance));
@@ -74,6 +83,11 @@ FACT(graze_pair_verdict, graze_pair_get_verdict, graze_pair, collide_verdict(of)
 FACT(const char *, graze_pair_word, graze_pair, of->walk.word, "")
 FACT(graze_state, graze_pair_next, graze_pair, collide_next(of), GRAZE_STATE_ABSENT)
 FACT(size_t, graze_pair_contact_count, graze_pair, of->walk.contact_count, 0)
+
+graze_closest graze_pair_get_closest(const graze_pair *pair) {
+    graze_closest none = {0};
+    return pair ? pair->closest : none;
+}
 
 graze_pair_contact graze_pair_get_contact(const graze_pair *pair, size_t index) {
     graze_pair_contact out = {0};

@@ -33,6 +33,9 @@ static void pairs(bench *b) {
     graze_pair *p = NULL;
     graze_pair_options unknown = {.size = sizeof unknown, .question = (graze_pair_question)2};
     graze_pair_options twice = {.size = sizeof twice, .first = 2};
+    graze_pair_options narrow = {.size = sizeof narrow, .closest = -1};
+    graze_pair_options scaled = {.size = sizeof scaled, .closest = 1, .closest_relative = 2};
+    graze_pair_options early = {.size = sizeof early, .closest = 1, .first = 1};
     const graze_solid *s = b->s.solid;
     const graze_motion *m = b->s.motion;
     WRONG(graze_pair_create(NULL, c, s, m, s, NULL, NULL));
@@ -42,6 +45,9 @@ static void pairs(bench *b) {
     WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, NULL, NULL, NULL));
     WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &unknown));
     WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &twice));
+    WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &narrow));
+    WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &scaled));
+    WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &early));
     mpq_t below;
     mpq_init(below);
     mpq_set_si(below, -1, 2);
@@ -62,6 +68,7 @@ static void pairs(bench *b) {
     HARMLESS(graze_pair_get_verdict, graze_pair_get_verdict(NULL) == GRAZE_PAIR_NONE);
     HARMLESS(graze_pair_word, *graze_pair_word(NULL) == '\0');
     HARMLESS(graze_pair_next, graze_pair_next(NULL) == GRAZE_STATE_ABSENT);
+    HARMLESS(graze_pair_get_closest, graze_pair_get_closest(NULL).time == NULL);
     HARMLESS(graze_pair_contact_count, graze_pair_contact_count(NULL) == 0);
     HARMLESS(graze_pair_get_contact, graze_pair_get_contact(NULL, 0).from == NULL);
     HARMLESS(graze_pair_overlap_time, graze_pair_overlap_time(NULL) == NULL);

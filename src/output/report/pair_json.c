@@ -66,6 +66,27 @@ static void put_first(json_writer *w, const graze_pair *pair) {
     }
 }
 
+static void put_closest(json_writer *w, const graze_pair *pair) {
+    const graze_closest *c = &pair->closest;
+    json_open(w, "closest", '{');
+    json_bound(w, "low", c->low, 0);
+    json_bound(w, "high", c->high, 1);
+    json_time(w, "t", c->time);
+    put_near_decimal(w, c->time);
+    if (!c->placed)
+        json_text(w, "at", NULL);
+    for (int side = 0; side < 2 && c->placed; side++) {
+        json_open(w, side ? NULL : "at", '[');
+        if (!side)
+            json_open(w, NULL, '[');
+        for (int i = 0; i < pair->pair.motion->dimension; i++)
+            json_double(w, NULL, c->at[side][i]);
+        json_ends(w, side ? "]]" : "]");
+    }
+    json_bool(w, "wide", c->wide);
+    json_close(w, '}');
+}
+
 void pair_json(text *out, const graze_pair *pair) {
     json_writer w = {.out = out};
     const char next[] = {(char)collide_next(pair), '\0'};
@@ -81,6 +102,9 @@ void pair_json(text *out, const graze_pair *pair) {
     json_open(&w, "contacts", '[');
     for (size_t k = 0; k < pair->walk.contact_count; k++)
         put_pair_contact(&w, NULL, pair, &pair->walk.contact[k]);
-    json_ends(&w, "]}");
+    json_close(&w, ']');
+    if (pair->closest.time)
+        put_closest(&w, pair);
+    json_close(&w, '}');
     text_put(out, "\n");
 }

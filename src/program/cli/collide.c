@@ -30,6 +30,10 @@ static const char collide_help[] =
     "those\n"
     "                       with points at distance R. Both keep R >= 0 apart (default 0: as "
     "above)\n"
+    "  --closest TOL        also the least distance, between two numbers at most TOL apart (1e-10, "
+    "or\n"
+    "                       1e-10r of both sizes), with a time and a point of each, and `wide` if "
+    "not\n"
     "  --ask any|overlap    what exit status 1 tells: touch or overlap (default), overlap alone\n"
     "  --inside             does MOVING stay inside FIXED? `inside`, `inside, touching`, or when "
     "it\n"
@@ -56,6 +60,7 @@ static const option_entry collide_table[] = {
     FLAG("first", classify_options, pairs.options.first, value_flag),
     OPTION("ask", classify_options, pairs.overlap_alone, value_ask),
     FLAG("inside", classify_options, pairs.options.question, value_flag),
+    OPTION("closest", classify_options, pairs.options, value_closest),
     OPTION("clearance", classify_options, pairs.clearance, value_width),
     FILE_READ("motion-of-fixed", classify_options, pairs.motion_of_fixed),
     FILE_READ("list", classify_options, points),
@@ -74,6 +79,12 @@ static int check_list(const classify_options *o, int operands) {
     if (o->pairs.options.first && o->pairs.overlap_alone)
         return complain(EXIT_USAGE, "--first ends before an overlap is known; expected --first or "
                                     "--ask overlap");
+    if (o->pairs.options.closest > 0 &&
+        (o->pairs.options.first || o->pairs.overlap_alone || o->pairs.options.question))
+        return complain(EXIT_USAGE, "--closest looks at the whole motion of one solid outside the "
+                                    "other; expected no --first, --ask overlap or --inside");
+    if (o->points && o->pairs.options.closest > 0)
+        return complain(EXIT_USAGE, "--closest is asked of one pair; expected no --list");
     if (o->points && operands)
         return complain(EXIT_USAGE, "--list names the pairs; expected no operands beside it");
     if (o->points && !is_table && o->pairs.format != FORMAT_UNSET)

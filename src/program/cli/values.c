@@ -77,21 +77,34 @@ static int number_of_value(mpq_t out, const char *value, size_t length) {
     return EXIT_DONE;
 }
 
-int value_sdf(void *to, const char *name, const char *value) {
-    scene_options *out = to;
+/* Read a width, which is relative to `size` if `r` follows it. */
+static int width_or_fraction(double *out, int *relative, const char *name, const char *value,
+                             const char *size) {
     size_t length = strlen(value);
     LOCAL(mpq, width);
-    out->rows.sdf = 0;
-    out->sdf_relative = length > 0 && value[length - 1] == 'r';
-    TRY(number_of_value(width, value, length - (size_t)out->sdf_relative));
+    *out = 0;
+    *relative = length > 0 && value[length - 1] == 'r';
+    TRY(number_of_value(width, value, length - (size_t)*relative));
     if (mpq_sgn(width) > 0)
-        out->rows.sdf = mpq_get_d(width); /* rounds towards 0 */
-    if (out->rows.sdf > 0 && out->rows.sdf <= DBL_MAX)
+        *out = mpq_get_d(width); /* rounds towards 0 */
+    if (*out > 0 && *out <= DBL_MAX)
         return EXIT_DONE;
     return complain(EXIT_USAGE,
                     "--%s %s: expected a positive number in the range of doubles, such as 0.001, "
-                    "or 1e-6r for 1e-6 of the diagonal of S^0's box",
-                    name, value);
+                    "or 1e-6r for 1e-6 of %s",
+                    name, value, size);
+}
+
+int value_sdf(void *to, const char *name, const char *value) {
+    scene_options *out = to;
+    return width_or_fraction(&out->rows.sdf, &out->sdf_relative, name, value,
+                             "the diagonal of S^0's box");
+}
+
+int value_closest(void *to, const char *name, const char *value) {
+    graze_pair_options *out = to;
+    return width_or_fraction(&out->closest, &out->closest_relative, name, value,
+                             "both solids' sizes");
 }
 
 int value_motion_error(void *to, const char *name, const char *value) {

@@ -265,6 +265,7 @@ option_read value_question;     /**< graze_question */
 option_read value_on_as;        /**< graze_on_as */
 option_read value_has;          /**< graze_candidate_has */
 option_read value_truth;        /**< graze_truth */
+option_read value_closest;      /**< graze_pair_options: as value_sdf, of the least distance */
 option_read value_width;        /**< const char *: a number from 0 up, borrowed */
 option_read value_positive;     /**< const char *: a number above 0, borrowed */
 option_read value_coordinates;  /**< coordinate_form */

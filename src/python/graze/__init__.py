@@ -21,7 +21,7 @@ from ._library import VERSION as __version__
 from ._library import library as _load
 from ._motions import Joint, slide, turn
 from .boundaries import Boundary
-from .collisions import CellPair, Collision, PairContact, collide
+from .collisions import CellPair, Closest, Collision, PairContact, collide
 from .comparison import Comparison, compare
 from .envelopes import Envelope, Event
 from .errors import (CanceledError, GrazeError, IllegalError, InputError, InternalError,
@@ -39,7 +39,7 @@ from .sites import Site, SiteFacet
 from .times import AlgebraicNumber, Time, decimal
 
 __all__ = [
-    "AlgebraicNumber", "Boundary", "CLASS_NAMES", "CanceledError", "Cell", "CellPair", "Class", "Collision",
+    "AlgebraicNumber", "Boundary", "CLASS_NAMES", "CanceledError", "Cell", "CellPair", "Class", "Closest", "Collision",
     "Comparison",
     "Contact", "CurvePart", "ENCLOSURE_DTYPE", "Enclosure", "Envelope", "Event", "GrazeError", "Greatest", "IllegalError",
     "InputError", "InternalError",

@@ -249,3 +249,19 @@ def whole(name: str, value: Any, least: int, most: int) -> int:
     if not least <= number <= most:
         raise UseError(f"{name} is {value!r}; expected an integer from {least} to {most}")
     return number
+
+
+def rounded(name: str, value: Any, towards: float) -> float:
+    """A positive number as a double, rounded towards another one; None is 0."""
+    if value is None:
+        return 0.0
+    try:
+        exact = Fraction(value)
+        near = float(exact)
+        wrong = near > exact if towards == 0 else near < exact
+        near = math.nextafter(near, towards) if wrong else near
+    except (ValueError, ZeroDivisionError, OverflowError):
+        exact, near = Fraction(0), 0.0
+    if exact <= 0 or not 0 < near < math.inf:
+        raise UseError(f"{name} is {value!r}; expected a positive number in the range of floats")
+    return near

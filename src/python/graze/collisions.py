@@ -13,6 +13,7 @@ from ._abi import C
 from ._context import Context, settings
 from ._library import Handle, library
 from ._motions import filled
+from ._numbers import rounded
 from ._traces import cell_of, kind_of, time_of
 from .errors import UseError
 from .inputs import Motion, Solid, input_handle, input_settings
@@ -48,6 +49,19 @@ class PairContact:
 
 
 @dataclass(frozen=True)
+class Closest:
+    """How near two solids come: the least distance lies in [low, high]. At `time` it is at most `high`; `at` has decimals of
+    a point of each solid, the moving one's first, that far apart. Where they meet `low` and `high` are 0, `time` is the
+    first time and `at` is None. `wide`: high - low is more than was asked for."""
+
+    low: float
+    high: float
+    time: Time
+    at: Optional[Tuple[Tuple[float, ...], Tuple[float, ...]]]
+    wide: bool
+
+
+@dataclass(frozen=True)
 class Collision:
     """How two solids meet. `verdict` is `clear`, `touch` or `overlap`; `word` has a letter for each state
     in order of time: `O` apart, `B` the boundaries alone meet, `I` the interiors meet. `overlap` is the
@@ -62,6 +76,7 @@ class Collision:
     contacts: Tuple[PairContact, ...]
     overlap: Optional[Time]
     next: Optional[str] = None
+    closest: Optional[Closest] = None
 
     def __bool__(self) -> bool:
         """Whether the closed solids meet."""
@@ -87,9 +102,16 @@ def _contact(made: ctypes.Structure) -> PairContact:
                        int(library().graze_time_row(made.from_)) or None)
 
 
+def _closest(made: ctypes.Structure, dimension: int) -> Optional[Closest]:
+    if not made.time:
+        return None
+    at = (tuple(made.at[0][:dimension]), tuple(made.at[1][:dimension])) if made.placed else None
+    return Closest(made.low, made.high, time_of(made.time), at, bool(made.wide))
+
+
 def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Optional[MotionLike] = None,
-            *, first: bool = False, inside: bool = False, clearance: Any = 0, round: str = "none",
-            limits: Optional[Mapping[str, int]] = None) -> Collision:
+            *, first: bool = False, inside: bool = False, clearance: Any = 0, closest: Any = None,
+            round: str = "none", limits: Optional[Mapping[str, int]] = None) -> Collision:
     """Decide exactly how a moving solid meets a fixed one.
 
     Args:
@@ -102,6 +124,8 @@ def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Option
             the verdict is `overlap`; with `first`, up to the contact and, unless `next` is `I`, after it.
         clearance: a number R >= 0. Above 0, letters tell the distance: `O` above R, `B` at R, `I` below; cells are
             those with points at distance R.
+        closest: a width, a number or text such as `1e-10r`, relative to the sum of both sizes: the least distance is
+            enclosed too. It goes without `first` and `inside`.
         round: `binary64` or `binary32` rounds every number of solids and motions first.
         limits: limits by name, as of `graze --limit`.
     Raises:
@@ -109,6 +133,8 @@ def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Option
         LimitError; and what `Solid` and `Motion` raise.
     """
     chosen = settings(round, limits, True)
+    relative = isinstance(closest, str) and closest.endswith("r")
+    width = rounded("closest", closest[:-1] if relative else closest, 0.0)
     made = [part if isinstance(part, kind) else kind(part, round=round, limits=limits)
             for kind, part in ((Solid, moving), (Motion, motion), (Solid, fixed))]
     if motion_of_fixed is not None:
@@ -120,7 +146,7 @@ def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Option
     context, pointer, call = Context(chosen), ctypes.c_void_p(), library()
     goal = filled([clearance], 1, context, "the clearance")
     options = C.graze_pair_options(question=C.GRAZE_PAIR_INSIDE if inside else C.GRAZE_PAIR_MEETS, first=int(first),
-                                   clearance=goal.address)
+                                   clearance=goal.address, closest=width, closest_relative=int(relative))
     context.run(call.graze_pair_create, ctypes.byref(pointer), context.pointer, *(part.pointer for part in parts[:3]),
                 parts[3].pointer if len(parts) > 3 else None, ctypes.byref(options))
     with Handle(pointer, call.graze_pair_destroy, *parts) as pair:
@@ -132,4 +158,5 @@ def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Option
             verdict = "inside"
         after = call.graze_pair_next(pair)
         return Collision(verdict, call.graze_pair_word(pair).decode(), contacts, time_of(overlap) if overlap else None,
-                         chr(after) if after else None)
+                         chr(after) if after else None,
+                         _closest(call.graze_pair_get_closest(pair), made[1].dimension))

@@ -15,7 +15,7 @@ from ._abi import C
 from ._context import Context, Contexts, choice, settings
 from ._library import Handle, library, take_text
 from ._meshes import arrays_of
-from ._numbers import Points, Rationals, numpy, read_points
+from ._numbers import Points, Rationals, numpy, read_points, rounded
 from ._progress import Progress
 from ._samples import samples
 from ._traces import cell_given, read_topology, read_trace, verdict_of
@@ -94,7 +94,7 @@ class Scene:
                                   folds=choice("folds", folds, "graze_folds"))
         self._shown = C.graze_row_options(
             columns=choice("columns", columns, "graze_columns"), topo=int(topo), sdf=width,
-            motion_error=_rounded("motion_error", motion_error, math.inf), moments=int(moments),
+            motion_error=rounded("motion_error", motion_error, math.inf), moments=int(moments),
             regular=int(regular), boundary=int(boundary_distance), at_rest=int(motion is None))
         if motion is None:
             if (operation, overlap, folds) != ("sweep", "extend", "separate"):
@@ -552,26 +552,10 @@ class Scene:
         return Handle(pointer, library().graze_trace_destroy, self._handle)
 
 
-def _rounded(name: str, value: Any, towards: float) -> float:
-    """A positive number as a double, rounded towards another one; None is 0."""
-    if value is None:
-        return 0.0
-    try:
-        exact = Fraction(value)
-        near = float(exact)
-        wrong = near > exact if towards == 0 else near < exact
-        near = math.nextafter(near, towards) if wrong else near
-    except (ValueError, ZeroDivisionError, OverflowError):
-        exact, near = Fraction(0), 0.0
-    if exact <= 0 or not 0 < near < math.inf:
-        raise UseError(f"{name} is {value!r}; expected a positive number in the range of floats")
-    return near
-
-
 def _width(sdf: Any) -> Tuple[float, int]:
     """The width of enclosures, rounded down, and whether it is relative."""
     relative = isinstance(sdf, str) and sdf.endswith("r")
-    return _rounded("sdf", sdf[:-1] if relative else sdf, 0.0), int(relative)
+    return rounded("sdf", sdf[:-1] if relative else sdf, 0.0), int(relative)
 
 
 def _answers(structure: Any, dtype: Any, count: int) -> Tuple[Any, int]:

@@ -31,6 +31,7 @@ graze_status collide_answer(graze_pair *pair, graze_context *context) {
 void collide_clear(graze_pair *pair) {
     pair_walk_clear(&pair->walk);
     time_destroy(pair->start);
+    time_destroy(pair->closest_time);
     for (size_t k = 0; pair->clearance && k < pair->pair.motion->piece_count; k++)
         clearance_clear(&pair->clearance[k]);
     free(pair->clearance);

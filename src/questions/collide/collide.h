@@ -60,6 +60,8 @@ typedef struct pair_walk {
     int open;          /* the last contact has not ended */
     int first; /* 1: only the first contact, and the state just after it begins, are asked for */
     int done;  /* 1: nothing more is to be found */
+    size_t looked_piece; /* the rational time at which a gap was looked into last */
+    fmpq_t looked;
 } pair_walk;
 
 /* The answer to a pair of a moving and a fixed solid: the word and the contacts
@@ -74,6 +76,8 @@ struct graze_pair {
     fmpq_t distance;      /* options.clearance */
     clearance *clearance; /* of each piece of the motion, or NULL */
     graze_solid *base[2]; /* the points and segments of balls and capsules, or NULL */
+    graze_closest closest;
+    graze_time *closest_time; /* closest.time, or NULL */
 };
 
 /** Replace balls and capsules by their points and segments, and set the clearance of a pair with
@@ -88,6 +92,12 @@ graze_status collide_set_clearance(graze_pair *pair, graze_context *context,
  * in any case. Times of contacts become canonical. */
 graze_status collide_answer(graze_pair *pair, graze_context *context);
 void collide_clear(graze_pair *pair);
+
+/** Enclose the least distance of a pair with its options and clearance set (proofs/collision.md
+ * C144).
+ * @param frame the motion of the fixed solid, or NULL
+ * @return as collide_set_clearance, and GRAZE_ELIMIT */
+graze_status collide_closest(graze_pair *pair, graze_context *context, const graze_motion *frame);
 
 /** Find the ball or capsule of a cell of a `base` with several, and number the cell's vertices
  * within it. @return 0 where there are not several, or `base` is NULL */

@@ -1,6 +1,7 @@
 /* Pairs of features, whose equation, feet and cells come from the vectors that span them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include <flint/fmpq_mat.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
@@ -293,6 +294,38 @@ static int stationary_inside(unsigned zero[2], placing *p, const stationary *s) 
         zero[side] = sides_around(d, corners);
     }
     return 1;
+}
+
+void stationary_points(fmpq *point, placing *p, const stationary *s) {
+    int d = p->pair->motion->dimension, n = s->count, own = s->features->of[SIDE_MOVING].count - 1;
+    const corner_run *run = s->features->of;
+    const trajectory *x = placing_vertex(p, SIDE_MOVING, run_vertex(p, SIDE_MOVING, run[0], 0));
+    const fmpq *y =
+        p->pair->fixed->input.coordinates + (ptrdiff_t)run_vertex(p, SIDE_FIXED, run[1], 0) * d;
+    LOCAL(fmpq_mat, span, d, n);
+    LOCAL(fmpq_mat, across, n, d);
+    LOCAL(fmpq_mat, gram, n, n);
+    LOCAL(fmpq_mat, way, d, 1);
+    LOCAL(fmpq_mat, share, n, 1);
+    for (int i = 0; i < d && x; i++) {
+        for (int k = 0; k < n; k++)
+            fmpz_poly_get_coeff_fmpz(fmpq_mat_entry_num(span, i, k), &s->span[k].c[i], 0);
+        fmpz_poly_get_coeff_fmpz(fmpq_numref(point + i), &x->x[i], 0);
+        fmpz_poly_get_coeff_fmpz(fmpq_denref(point + i), &x->x[d], 0);
+        fmpq_canonicalise(point + i);
+        fmpq_set(point + 3 + i, y + i);
+        fmpq_sub(fmpq_mat_entry(way, i, 0), y + i, point + i);
+    }
+    fmpq_mat_transpose(across, span);
+    fmpq_mat_mul(gram, across, span);
+    fmpq_mat_mul(share, across, way);
+    if (n)
+        fmpq_mat_solve(share, gram, share);
+    for (int i = 0; i < d; i++)
+        for (int k = 0; k < n; k++)
+            (k < own ? fmpq_addmul : fmpq_submul)(point + i + (k < own ? 0 : 3),
+                                                  fmpq_mat_entry(span, i, k),
+                                                  fmpq_mat_entry(share, k, 0));
 }
 
 int features_sign(unsigned zero[2], placing *p, const feature_pair *features) {

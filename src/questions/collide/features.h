@@ -69,6 +69,10 @@ typedef struct stationary {
 void stationary_init(stationary *s, placing *p, const feature_pair *features);
 void stationary_clear(stationary *s);
 
+/** Set point + 0, 1, 2 and point + 3, 4, 5 to the stationary points of the moving and of the fixed
+ * face in the fixed solid's space, at the placing's rational time. */
+void stationary_points(fmpq *point, placing *p, const stationary *s);
+
 /** Set form k, from 0 on, that vanishes where a vertex may change its cell in the plane of a
  * simplex in which it always lies; 0 if there is none. */
 int stationary_turns(fmpz_poly_t out, placing *p, const stationary *s, int k);

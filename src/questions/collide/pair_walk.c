@@ -34,6 +34,7 @@ void pair_walk_clear(pair_walk *walk) {
     free(walk->contact);
     free(walk->word);
     free(walk->time);
+    fmpq_clear(walk->looked);
     *walk = (pair_walk){0};
 }
 
@@ -148,6 +149,8 @@ static graze_status look_into_gap(pair_walk *walk, size_t piece, const fmpq_t u)
     graze_state state =
         then.leaves.within ? GRAZE_STATE_I : interiors_look(&then.p, &then.near, NULL);
     TRY(then.p.status);
+    walk->looked_piece = piece;
+    fmpq_set(walk->looked, u);
     return walk->last ? enter_gap(walk, state) : enter_start(walk, state, &then);
 }
 

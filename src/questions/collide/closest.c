@@ -1,0 +1,221 @@
+/* The least distance of two solids: a bisection whose questions are whether a distance is reached.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Invariant: the distance is always above `low`, and at most `high` at a rational time. The
+ * tolerance ends the questions, and changes none: enclosures are nested.
+ */
+#include <flint/fmpq_mat.h>
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include <string.h>
+#include "base/context/scope.h"
+#include "base/number/rounding.h"
+#include "questions/collide/near_pairs.h"
+
+enum { MOST_QUESTIONS = 200 };
+
+/** A pair whose clearance is asked for, and the time of `high`. */
+typedef struct approach {
+    graze_pair asked;
+    graze_context *context;
+    size_t piece;
+    fmpq_t u;
+} approach;
+
+static void approach_init(approach *a, graze_context *context, const graze_pair *pair) {
+    *a = (approach){.context = context, .asked.pair = pair->pair, .asked.options.first = 1};
+    a->asked.pair.near = NULL;
+    fmpq_init(a->asked.distance);
+    fmpq_one(a->asked.distance);
+    fmpq_init(a->u);
+}
+
+static void approach_clear(approach *a) {
+    collide_clear(&a->asked);
+    fmpq_clear(a->u);
+}
+
+/* Find out whether a distance is reached. */
+static graze_status ask_distance(int *reached, approach *a, double distance) {
+    graze_pair *asked = &a->asked;
+    pair_walk *walk = &asked->walk;
+    TRY(rational_from_double(asked->distance, a->context, distance));
+    int none = distance == 0 && !asked->pair.round[0] && !asked->pair.round[1];
+    asked->pair.near = none ? NULL : asked->clearance;
+    pair_walk_clear(walk);
+    *walk = (pair_walk){.pair = &asked->pair, .context = a->context, .first = 1};
+    TRY(pair_walk_begin(walk));
+    TRY(pair_search(walk));
+    TRY(pair_walk_end(walk));
+    *reached = strcmp(walk->word, "O") != 0;
+    return GRAZE_OK;
+}
+
+/* Keep a rational time at which the distance is at most the one that is reached; 0 if no such time
+ * is known, where it is reached at an irrational instant alone. */
+static int keep_reached(approach *a) {
+    const pair_walk *walk = &a->asked.walk;
+    const graze_time *from = walk->contact_count ? walk->contact[0].from : NULL;
+    int irrational = from && !algebraic_is_rational(&from->u);
+    if (irrational && walk->gap != GRAZE_STATE_I && walk->gap != GRAZE_STATE_B)
+        return 0;
+    a->piece = irrational ? walk->looked_piece : from ? from->piece : 0;
+    fmpq_zero(a->u);
+    if (from)
+        fmpq_set(a->u, irrational ? walk->looked : from->u.value);
+    return 1;
+}
+
+/* The longest side of the box around both bases, and the greatest diameter. */
+static double size_of(const solid_pair *pair, int side) {
+    const graze_solid *solid = side ? pair->fixed : pair->moving;
+    double low, high = 0, most = 0;
+    for (size_t k = 0; pair->round[side] && k < solid->cut.count; k++) {
+        rational_bounds(&low, &high, pair->round[side][k].radius);
+        most = fmax(most, high);
+    }
+    return box_extent(&solid->boxes.node[0].box) + 2 * most;
+}
+
+/* The next distance to ask for; not between the bounds if no double is. */
+static double next_distance(const graze_closest *c, double size) {
+    return c->high < INFINITY ? c->low + (c->high - c->low) / 2 : c->low > 0 ? 2 * c->low : size;
+}
+
+static graze_status narrow_distance(graze_closest *c, approach *a, double size, double tolerance) {
+    for (int k = 0; k < MOST_QUESTIONS && !(c->high - c->low + 0x1p-50 * c->high <= tolerance);
+         k++) {
+        double distance = next_distance(c, size);
+        int reached = 1;
+        if (!(c->low < distance && distance < c->high))
+            break;
+        TRY(ask_distance(&reached, a, distance));
+        if (reached && !keep_reached(a)) { /* a little further it is reached for a while */
+            distance = nextafter(distance, (double)INFINITY);
+            if (distance < c->high)
+                TRY(ask_distance(&reached, a, distance));
+            if (!(distance < c->high) || !keep_reached(a))
+                break;
+        }
+        *(reached ? &c->high : &c->low) = distance;
+    }
+    return GRAZE_OK;
+}
+
+/* Carry a point of the fixed solid's space to the world's. */
+static void carry_to_world(fmpq *point, const graze_motion *motion, const approach *a,
+                           const graze_motion *frame) {
+    int d = motion->dimension;
+    size_t k = 0;
+    LOCAL_VEC(fmpq, map, POINT_MAP_ENTRIES);
+    LOCAL_VEC(fmpq, image, 3);
+    LOCAL(fmpq, t);
+    if (!frame)
+        return;
+    motion_time_at(t, &motion->piece[a->piece], a->u);
+    while (fmpq_cmp(t, frame->piece[k].hi) > 0)
+        k++;
+    motion_parameter_at(t, &frame->piece[k], t);
+    point_map_at(map, &frame->piece[k].forward, t);
+    for (int i = 0; i < d; i++) {
+        _fmpq_vec_dot(image + i, map + (ptrdiff_t)i * (d + 1), point, d);
+        fmpq_add(image + i, image + i, map + (ptrdiff_t)i * (d + 1) + d);
+    }
+    for (int i = 0; i < d; i++)
+        fmpq_swap(point + i, image + i);
+}
+
+/* Set the places from the stationary points of two faces, moved towards one another by the radii.
+ */
+static void set_near_places(graze_closest *c, placing *p, const approach *a,
+                            const feature_pair *found, const graze_motion *frame) {
+    int d = p->pair->motion->dimension;
+    double share[2] = {0, 0}, distance = 0;
+    LOCAL_VEC(fmpq, point, 6);
+    HELD(stationary, s, p, found);
+    stationary_points(point, p, &s);
+    for (int i = 0; i < d; i++) {
+        LOCAL(fmpq, off);
+        fmpq_sub(off, point + i, point + 3 + i);
+        distance = hypot(distance, fmpq_get_d(off));
+    }
+    for (int side = 0; side < 2; side++) {
+        const csg_round *round = p->pair->round[side];
+        const length_ratio *ratio = &p->near->ratio[1 + side];
+        LOCAL(fmpq, square);
+        fmpq_set_fmpz_frac(square, ratio->square[0].coeffs, ratio->square[1].coeffs);
+        if (round)
+            share[side] = fmpq_get_d(round[found->of[side].simplex].radius) *
+                          sqrt(fmpq_get_d(square)) / distance;
+        carry_to_world(point + (ptrdiff_t)3 * side, p->pair->motion, a, frame);
+    }
+    for (int i = 0; i < d; i++) {
+        double x[2] = {fmpq_get_d(point + i), fmpq_get_d(point + 3 + i)};
+        for (int side = 0; side < 2; side++)
+            c->at[side][i] = x[side] + share[side] * (x[!side] - x[side]);
+    }
+    c->placed = 1;
+}
+
+/* Find two faces that are at most `high` apart at the time of `high`, and their places. */
+static graze_status find_near_places(graze_closest *c, approach *a, const graze_motion *frame) {
+    node_pair roots = {0, 0};
+    const node_list all = {1, 1, &roots, 0};
+    unsigned zero[2];
+    ZEROED(node_list, leaves);
+    ZEROED(near_list, near);
+    ZEROED(feature_list, list);
+    ZEROED(control_maps, maps);
+    TRY(rational_from_double(a->asked.distance, a->context, c->high));
+    HELD(dyadic_interval, unit);
+    dyadic_interval_set_si(&unit, 0, 1);
+    HELD(placing, p, a->context, &a->asked.pair, a->piece, a->u);
+    HELD(map_forms, forms, p.map[SIDE_MOVING], &unit);
+    if (!control_maps_set(&maps, &forms))
+        return context_fail(a->context, GRAZE_ESYSTEM, "out of memory for a time of a motion");
+    clearance_enclose(&maps, &p, &unit);
+    maps.least = 0; /* none are left out for being nearer */
+    TRY(near_pairs_refine(&leaves, NULL, a->context, p.pair, &maps, &all, 1));
+    TRY(near_pairs_take(&near, a->context, p.pair, &leaves));
+    for (int kind = 0; kind < features_end(&p) && !c->placed && !p.status; kind++) {
+        features_gather(&list, &p, &near, kind);
+        for (size_t k = 0; k < list.count && !c->placed && !p.status; k++)
+            if (features_sign(zero, &p, &list.item[k]) <= 0)
+                set_near_places(c, &p, a, &list.item[k], frame);
+    }
+    return p.status;
+}
+
+/* Set the time of `high`. */
+static graze_status set_time(graze_pair *pair, const approach *a, const algebraic *u) {
+    pair->closest.time = pair->closest_time = time_create(pair->pair.motion, a->piece, u);
+    if (!pair->closest_time)
+        return context_fail(a->context, GRAZE_ESYSTEM, "out of memory for a time of a motion");
+    return time_canonicalise(pair->closest_time, a->context);
+}
+
+graze_status collide_closest(graze_pair *pair, graze_context *context, const graze_motion *frame) {
+    graze_closest *c = &pair->closest;
+    int reached;
+    HELD(approach, a, context, pair);
+    HELD(algebraic, u);
+    TRY(collide_set_clearance(&a.asked, context, frame));
+    double size = size_of(&pair->pair, 0) + size_of(&pair->pair, 1);
+    double tolerance = pair->options.closest * (pair->options.closest_relative ? size : 1);
+    TRY(ask_distance(&reached, &a, 0));
+    if (reached) {
+        const pair_walk *walk = &a.asked.walk;
+        if (walk->contact_count)
+            algebraic_set(&u, &walk->contact[0].from->u);
+        a.piece = walk->contact_count ? walk->contact[0].from->piece : 0;
+        return set_time(pair, &a, &u);
+    }
+    c->high = INFINITY;
+    TRY(narrow_distance(c, &a, size, tolerance));
+    if (!(c->high < INFINITY))
+        return context_fail(context, GRAZE_ELIMIT, "the least distance is beyond doubles");
+    c->wide = !(c->high - c->low <= tolerance);
+    fmpq_set(u.value, a.u);
+    TRY(set_time(pair, &a, &u));
+    return find_near_places(c, &a, frame);
+}
