@@ -3,14 +3,13 @@
 
     python3 cases/contacts/golden.py --graze build/graze OUT [--count N] [--record]
 
-Makes OUT/pairs.csv with its solids and motions, asks `graze collide` about each pair, and writes OUT/golden.csv and
+Makes OUT/pairs.csv with its solids and motions, asks `graze collide --list` about them, and writes OUT/golden.csv and
 OUT/golden.jsonl, in the order of the pairs. Families that are whole are not asked again, so that a run that was ended is
 continued. Each family's answers are hashed and compared with hashes.txt, of its first ten pairs too; --record writes it
 instead. Exit status 1: a hash differs, or an answer is not the known one.
 SPDX-License-Identifier: CC0-1.0
 """
 import argparse
-import concurrent.futures
 import csv
 import hashlib
 import json
@@ -31,14 +30,13 @@ def read_pairs(out):
         return list(csv.DictReader(file))
 
 
-def ask(graze, out, pair):
-    """The answer about a pair: the text of one JSON object on one line."""
-    paths = [os.path.join(out, pair[name]) for name in ("moving", "motion", "fixed")]
-    done = subprocess.run([graze, "collide", *paths, "--format", "json"], check=False, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, text=True)
+def ask(graze, path):
+    """The answers about the pairs of a list: the text of a JSON object on one line for each."""
+    done = subprocess.run([graze, "collide", "--list", path, "--format", "jsonl", "--quiet"], check=False, stdin=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     if done.returncode not in (0, 1):
-        raise SystemExit(f"{pair['id']}: graze collide, status {done.returncode}: {done.stderr.strip()}")
-    return json.dumps({"id": pair["id"], **json.loads(done.stdout)})
+        raise SystemExit(f"{path}: graze collide, status {done.returncode}: {done.stderr.strip()}")
+    return [json.dumps(json.loads(line)) for line in done.stdout.splitlines()]
 
 
 def near(time):
@@ -96,8 +94,13 @@ def lines_of(options, family, rows):
             lines = file.read().splitlines()
         if len(lines) == len(rows):
             return lines
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        lines = list(pool.map(lambda pair: ask(options.graze, options.out, pair), rows))
+    asked = os.path.join(options.out, f"{family}.csv")
+    with open(asked, "w", encoding="ascii", newline="") as file:
+        table = csv.DictWriter(file, ("id", "moving", "motion", "fixed"), extrasaction="ignore", lineterminator="\n")
+        table.writeheader()
+        table.writerows(rows)
+    lines = ask(options.graze, asked)
+    os.remove(asked)
     with open(path + ".part", "w", encoding="utf-8") as file:
         file.writelines(line + "\n" for line in lines)
     os.replace(path + ".part", path)

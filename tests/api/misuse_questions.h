@@ -61,6 +61,9 @@ static void pairs(bench *b) {
     WRONG(graze_pair_json(NULL, c, p));
     WRONG_OUT(char, graze_pair_json(&out, NULL, p));
     WRONG_OUT(char, graze_pair_json(&out, c, NULL));
+    WRONG(graze_pair_fields(NULL, c, p));
+    WRONG_OUT(char, graze_pair_fields(&out, NULL, p));
+    WRONG_OUT(char, graze_pair_fields(&out, c, NULL));
     HARMLESS(graze_pair_destroy, CALLS(graze_pair_destroy(NULL)));
     HARMLESS(graze_pair_get_verdict, graze_pair_get_verdict(NULL) == GRAZE_PAIR_NONE);
     HARMLESS(graze_pair_word, *graze_pair_word(NULL) == '\0');

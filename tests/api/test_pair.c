@@ -61,7 +61,7 @@ static void overlap_and_json(void **state) {
     (void)state;
     scene s;
     graze_pair *p = NULL;
-    char *json, *words;
+    char *json, *words, *fields;
     graze_pair_options first = {.size = sizeof first, .first = 1};
     scene_open(&s, back, NULL);
     graze_solid *fixed = square_at(&s, step);
@@ -101,6 +101,10 @@ static void overlap_and_json(void **state) {
                         "first contact 7/8 (0.875, row 5): "
                         "edge 1-2 of MOVING with edge 0-3, edge 1-2 of MOVING with vertex 0, "
                         "vertex 2 of MOVING with edge 0-3\n");
+    assert_int_equal(graze_pair_fields(&fields, s.context, p), GRAZE_OK);
+    assert_string_equal(fields, "meets,OBI,7/8,0.875,I,edge 1-2 with edge 0-3; edge 1-2 with "
+                                "vertex 0; vertex 2 with edge 0-3");
+    graze_free(fields);
     graze_free(words);
     graze_free(json);
     graze_pair_destroy(p);

@@ -9,6 +9,7 @@ gap. The list says which word and time follow, and `graze collide --first` must 
 8 t^3 - 12 t^2 + 1: the cube's side x is -2 + 12 t^2 - 8 t^3, and it meets the fixed one where that is -1.
 Whole words and all times of pairs of convex solids agree with separating axes (contact_axes.py).
 """
+import csv
 import json
 import os
 import sys
@@ -59,6 +60,25 @@ def check_list(checks, graze, out):
             first_is_known(checks, graze, out, pair)
 
 
+def check_table(checks, graze, out):
+    """The table of the list is golden.csv; a process of its own says the same of each family's first pair."""
+    done = run([graze, "collide", "--list", os.path.join(out, "pairs.csv"), "--jobs", "2"])
+    rows = list(csv.DictReader(line for line in done.stdout.splitlines() if not line.startswith("#")))
+    with open(os.path.join(out, "golden.csv"), encoding="utf-8", newline="") as file:
+        known = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    with open(os.path.join(out, "golden.jsonl"), encoding="utf-8") as file:
+        objects = [json.loads(line) for line in file]
+    checks.equal((done.returncode, len(rows)), (1, len(known)), done.stderr)
+    for row, want, pair, found in zip(rows, known, golden.read_pairs(out), objects):
+        near, named = row.pop("first_near"), want.pop("first_near")
+        checks.holds(near == named or float(near) == float(named), pair["id"], near, named)
+        checks.equal({name: row[name] for name in want}, want, pair["id"])
+        checks.equal((row["family"], row["known"], row["message"]), (pair["family"], pair["known"], ""), pair["id"])
+        if pair["id"].endswith("-0000"):
+            alone = run([graze, "collide", *(os.path.join(out, pair[name]) for name in ("moving", "motion", "fixed")), "--format", "json"])
+            checks.equal({"id": pair["id"], **json.loads(alone.stdout)}, found, "alone")
+
+
 def check_changed(checks, graze, out):
     """An answer that is changed is noticed."""
     path = os.path.join(out, "slides.jsonl")
@@ -97,6 +117,7 @@ def main():
         check_list(checks, chosen.graze, out)
         check_dart(checks, out)
         check_axes(checks, out)
+        check_table(checks, chosen.graze, out)
         check_changed(checks, chosen.graze, out)
     checks.finish()
 

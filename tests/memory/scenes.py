@@ -206,6 +206,9 @@ def make(graze, folder):
     yield Scene("collide-turn", ["collide", cube, turn, cube, "--inside", "--first"], 1)
     yield Scene("collide-2", ["collide", u, roll, u], 1)
     yield Scene("collide-round", ["collide", at["ball3.csg.json"], turn, cube, "--clearance", "1/3"], 1)
+    pairs = f"id,moving,motion,fixed\nx,{cube},{turn},{cube}\ny,none.off,{turn},{cube}\n".encode()
+    yield Scene("collide-list", ["collide", *one, "--list", "pairs.csv", "-o", "table"], 3, files={"pairs.csv": pairs}, tables=("table",))
+    yield Scene("collide-list-jsonl", ["collide", *one, "--list", "pairs.csv", "--format", "jsonl"], 3, files={"pairs.csv": pairs})
     yield Scene("outline", ["outline", u, roll, "--operation", "unsweep", "--arcs", "a.csv", "--format", "json"], tables=("a.csv",))
     yield Scene("judge", ["judge", cube, turn, cube, "--within", "1r", "--count", "3", "--vertices", "v.csv"], tables=("v.csv",),
                 spared=NUMBERS)

@@ -23,7 +23,7 @@ from harness import ROOT, Checks, options, run  # noqa: E402
 
 COMMON = pathlib.Path(ROOT, "tests", "refuse", "common")
 CSV, SCENE = "1,1\n5,1\n9,9\n", ["S.wkt", "M.json"]
-SITES = "time,x,y\n1/2,2,1\n"
+SITES, LIST = "time,x,y\n1/2,2,1\n", "moving,motion,fixed\nS.wkt,M.json,S.wkt\n"
 # Endings of what an option writes where that is not its value.
 ENDINGS = {("validate", "--output"): [".md", ".json"], ("validate", "--keep"): ["/points.csv", "/golden.csv", "/candidate.csv"]}
 
@@ -63,6 +63,7 @@ ROWS = [
     Row("envelope S.wkt M.json --at 1/2 -n 2", SCENE,
         {"--events": "o", "--curve": "o", "--patches": "o", "--joints": "o", "--points": "o", "--output": "o"}),
     Row("collide S.wkt M.json S.wkt", SCENE, {"--output": "o", "-o": "o"}, reads=["--motion-of-fixed"], ends=1),
+    Row("collide", [], {"--output": "o", "-o": "o", "--resume": "o"}, reads=["--list", "--motion-of-fixed"], ends=1),
     Row("outline S.wkt M.json", SCENE, {"--arcs": "o", "--output": "o", "-o": "o"}),
     Row("judge B.off B.json B.off --within 1 --count 1", ["B.off", "B.json"], {"--vertices": "o.csv", "--answers": "o.csv", "--page": "o.html", "--output": "o"},
         reads=["--points"]),
@@ -83,7 +84,7 @@ TEXTS = {"by", "format", "grid", "box", "at", "strata", "times", "plane", "view"
 EXTRA = {("validate", "keep"), ("validate", "output"), ("validate", "shrink")}
 COLUMNS = {("motion", "--ignore")}
 # Commands whose report --output takes, an option of all commands without a row in their table; beside a file it yields to it.
-REPORTS = {"check", "explain", "boundary", "envelope", "collide", "outline", "judge", "cases"}
+REPORTS = {"check", "explain", "boundary", "envelope", "outline", "judge", "cases"}
 
 
 class Bench:
@@ -97,7 +98,7 @@ class Bench:
         for name, old in (("S.wkt", "square.wkt"), ("M.json", "move2.json"), ("S.off", "cube.off"), ("B.off", "cube.off"),
                           ("B.json", "move3.json")):
             shutil.copy(COMMON / old, self.inputs / name)
-        for name, text in (("P.csv", CSV), ("B.csv", "1,1,1\n"), ("C.csv", SITES), ("G.nc", "G0 X0 Y0 Z0\nG1 X1\n"), ("Q.csv", "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,1,0,0,1,0,0,0\n")):
+        for name, text in (("P.csv", CSV), ("B.csv", "1,1,1\n"), ("C.csv", SITES), ("L.csv", LIST), ("G.nc", "G0 X0 Y0 Z0\nG1 X1\n"), ("Q.csv", "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,1,0,0,1,0,0,0\n")):
             (self.inputs / name).write_text(text)
         for words in ("check S.wkt M.json --receipt R", "classify S.wkt M.json P.csv -o T.csv", "classify S.wkt M.json P.csv -o T2.csv",
                       "classify S.wkt M.json P.csv --shard 1/2 -o 1.csv", "classify S.wkt M.json P.csv --shard 2/2 -o 2.csv"):
@@ -142,7 +143,8 @@ def changed(before, after):
 
 def given(bench, row):
     """Words of a run of that row."""
-    values = {"--receipt": "R", "--solid": "S.wkt", "--motion": "M.json", "--points": "B.csv" if "B.off" in row.read else "P.csv", "--motion-of-fixed": "M.json"}
+    values = {"--receipt": "R", "--solid": "S.wkt", "--motion": "M.json", "--points": "B.csv" if "B.off" in row.read else "P.csv", "--motion-of-fixed": "M.json",
+              "--list": "L.csv"}
     words = list(row.words) + [bench.candidate] * (row.words[-1] == "--candidate")
     return words + [word for option in row.reads for word in (option, values[option])]
 
@@ -335,13 +337,13 @@ def check_resume(bench):
             at = bench.fresh()
             line = given(bench, row) + beside
             done = bench.run(at, line + ["--resume", "table"])
-            bench.checks.equal(done.returncode, 0, line, done.stderr)
+            bench.checks.equal(done.returncode, row.ends, line, done.stderr)
             whole = contents(at)
             for name in ["table"] + beside[1:]:
                 text = (at / name).read_bytes()
                 (at / name).write_bytes(text[:text.rindex(b"complete") - 9])
             done = bench.run(at, line + ["--resume", "table"])
-            bench.checks.equal(done.returncode, 0, line, done.stderr)
+            bench.checks.equal(done.returncode, row.ends, line, done.stderr)
             bench.checks.equal(changed(whole, contents(at)), [], line)
             shutil.rmtree(at)
     at = bench.fresh()

@@ -114,7 +114,7 @@ int pair_decide(graze_pair **out, fault *f, graze_context *context, const pair_q
 }
 
 /* The content of a column of the row; empty where the list has no such column. */
-static field value_of(const answerer *a, int column) {
+static field pair_value(const answerer *a, int column) {
     size_t where = a->task.source.columns->pairs.where[column];
     return where == SIZE_MAX ? (field){"", 0} : field_content(a->reader.cut.item[where]);
 }
@@ -122,7 +122,7 @@ static field value_of(const answerer *a, int column) {
 /* Append the path of a file that the row names, relative to the list. */
 static void put_path(text *out, const answerer *a, int column) {
     const char *list = a->task.pairs->points, *folder_end = strrchr(list, '/');
-    field name = value_of(a, column);
+    field name = pair_value(a, column);
     if (name.length && *name.start != '/' && folder_end)
         text_bytes(out, list, (size_t)(folder_end + 1 - list));
     text_bytes(out, name.start, name.length);
@@ -132,12 +132,12 @@ static void put_path(text *out, const answerer *a, int column) {
 static int answer_row(graze_pair **out, fault *f, const answerer *a) {
     const struct pair_choice *all = &a->task.pairs->pairs;
     static const char *const names[] = {"moving", "motion", "fixed"};
-    field inside = value_of(a, PAIR_INSIDE), clearance = value_of(a, PAIR_CLEARANCE);
+    field inside = pair_value(a, PAIR_INSIDE), clearance = pair_value(a, PAIR_CLEARANCE);
     pair_question q = {.options = all->options, .solid_flags = a->task.pairs->scene.solid_flags};
     size_t at[PAIR_FILES];
     HELD(text, paths);
     for (int k = 0; k < PAIR_FILES; k++) {
-        if (k <= PAIR_FIXED && !value_of(a, k).length)
+        if (k <= PAIR_FIXED && !pair_value(a, k).length)
             return fault_set(f, EXIT_INPUT, "%s: is empty; expected a file", names[k]);
         at[k] = paths.length;
         put_path(&paths, a, k);
@@ -157,78 +157,72 @@ static int answer_row(graze_pair **out, fault *f, const answerer *a) {
     return pair_decide(out, f, a->context, &q);
 }
 
-/* Append the members of an object behind its identifier. */
-static void put_members(text *out, const char *id, const char *answer, const fault *f) {
-    json_writer w = {.out = out};
-    json_open(&w, NULL, '{');
-    json_text(&w, "id", id);
-    if (answer) {
-        text_format(out, ",%s", answer + 1);
-        return;
-    }
-    json_count(&w, "status", (unsigned long)f->status);
-    json_text(&w, "message", f->message);
-    json_close(&w, '}');
-    text_put(out, "\n");
+/* Append a text of one line in quotes, in which quotes are doubled. */
+static void put_quoted(text *out, const char *string) {
+    text_put(out, "\"");
+    for (; *string; string++)
+        text_bytes(out, *string == '"' ? "\"\"" : string, *string == '"' ? 2 : 1);
+    text_put(out, "\"");
 }
 
-/* Append a row of the table; `status` is the exit status of graze collide. */
-static void put_fields(text *out, const answerer *a, const char *answer, const fault *f,
-                       int status) {
-    if (a->task.source.columns->others)
-        text_format(out, ",%s", a->reader.rest.data);
+/* Append a row of the table, or an object. `answer` is NULL where the row has a fault; `status` is
+ * the exit status of graze collide. */
+static void put_listed(text *out, const answerer *a, const char *answer, const fault *f, int status,
+                       unsigned long number) {
+    const columns *c = a->task.source.columns;
+    size_t where = c->pairs.where[PAIR_ID];
     int first = a->task.pairs->pairs.options.first;
-    text_format(out, ",%s,%d,", answer ? answer : first ? ",,,,," : ",,,,", status);
-    for (const char *at = f->message; at && *at; at++) {
-        text_put(out, at == f->message ? "\"" : "");
-        text_bytes(out, *at == '"' ? "\"\"" : at, *at == '"' ? 2 : 1);
-    }
-    text_put(out, f->message ? "\"\n" : "\n");
-}
-
-static void put_pair(text *out, const answerer *a, const graze_pair *pair, const fault *f,
-                     int status, unsigned long number) {
-    size_t where = a->task.source.columns->pairs.where[PAIR_ID];
-    int object = a->task.rows->format == GRAZE_FORMAT_JSONL;
-    FREED(char, answer, NULL);
-    HELD(text, id);
+    field id = pair_value(a, PAIR_ID);
+    HELD(text, name);
+    json_writer w = {.out = out};
     if (where == SIZE_MAX)
-        text_count(&id, number);
-    else if (object)
-        text_bytes(&id, value_of(a, PAIR_ID).start, value_of(a, PAIR_ID).length);
+        text_count(&name, number);
+    else if (a->task.rows->format == GRAZE_FORMAT_JSONL)
+        text_bytes(&name, id.start, id.length);
     else
-        columns_put_field(&id, a->task.source.columns, a->reader.cut.item[where]);
-    if (pair)
-        out->failed |=
-            (object ? graze_pair_json : graze_pair_fields)(&answer, a->context, pair) != GRAZE_OK;
-    out->failed |= id.failed;
-    if (out->failed)
+        columns_put_field(&name, c, a->reader.cut.item[where]);
+    out->failed |= name.failed;
+    if (a->task.rows->format == GRAZE_FORMAT_CSV) {
+        text_bytes(out, name.data, name.length);
+        if (c->others)
+            text_format(out, ",%s", a->reader.rest.data);
+        text_format(out, ",%s,%d,", answer ? answer : first ? ",,,,," : ",,,,", status);
+        if (!answer)
+            put_quoted(out, f->message);
+        text_put(out, "\n");
         return;
-    if (object) {
-        put_members(out, id.length ? id.data : "", answer, f);
-    } else {
-        text_bytes(out, id.data, id.length);
-        put_fields(out, a, answer, f, status);
     }
+    json_open(&w, NULL, '{');
+    json_text(&w, "id", name.length ? name.data : "");
+    if (!answer) {
+        json_count(&w, "status", (unsigned long)status);
+        json_text(&w, "message", f->message);
+    }
+    text_format(out, answer ? ",%s" : "}\n", answer ? answer + 1 : "");
 }
 
 void answer_pair(answerer *a, row_run *r, const block *b, size_t first) {
+    unsigned long number = shard_place(a->task.source.part, b->before + first) + 1;
+    int object = a->task.rows->format == GRAZE_FORMAT_JSONL;
     ZEROED(fault, f);
     HELD(text, row);
     OWNED(graze_pair, pair);
+    FREED(char, answer, NULL);
     a->reader.rest.length = 0;
     if (columns_row(NULL, &r->fault, a->task.source.columns, &a->reader, b, first))
         return;
     int status = answer_row(&pair, &f, a);
-    r->totals.undecided = status != EXIT_DONE;
-    r->totals.wide = !status && pair_meets(a->task.pairs, pair);
-    unsigned long number = shard_place(a->task.source.part, b->before + first) + 1;
-    put_pair(&row, a, pair, &f, status ? status : (int)r->totals.wide, number);
+    if (!status && (object ? graze_pair_json : graze_pair_fields)(&answer, a->context, pair))
+        status = fault_set(&f, EXIT_IO, "out of memory");
+    int meets = !status && pair_meets(a->task.pairs, pair);
     int memory = status == EXIT_IO && (!f.message || strstr(f.message, "out of memory"));
+    if (status != EXIT_SIGNAL && !memory)
+        put_listed(&row, a, answer, &f, status ? status : meets, number);
     if (status == EXIT_SIGNAL || memory || row.failed) {
         r->fault.status = status == EXIT_SIGNAL ? EXIT_SIGNAL : EXIT_IO;
         return;
     }
+    r->totals = (graze_row_totals){.undecided = status != EXIT_DONE, .wide = (unsigned long)meets};
     r->done = 1;
     r->out[RESULT_TABLE].length = row.length;
     r->out[RESULT_TABLE].text = text_take(&row);
