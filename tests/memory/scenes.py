@@ -202,6 +202,7 @@ def make(graze, folder):
     yield Scene("collide-2", ["collide", u, roll, u], 1)
     yield Scene("collide-round", ["collide", at["ball3.csg.json"], turn, cube, "--clearance", "1/3"], 1)
     yield Scene("outline", ["outline", u, roll, "--operation", "unsweep", "--arcs", "a.csv", "--format", "json"], tables=("a.csv",))
+    yield Scene("outline-polygon", ["outline", u, roll, "--polygon", "p.wkt", "--within", "1/8"], tables=("p.wkt",))
     yield Scene("judge", ["judge", cube, turn, cube, "--within", "1r", "--count", "3", "--vertices", "v.csv"], tables=("v.csv",),
                 spared=NUMBERS)
     yield Scene("judge-page", ["judge", cube, turn, cube, "--within", "1r", "--budget", "1", "--no-points", "--page", "p.html"],
