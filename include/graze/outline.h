@@ -69,6 +69,28 @@ GRAZE_API GRAZE_CHECKED graze_status graze_outline_json(char **out, graze_contex
 GRAZE_API GRAZE_CHECKED graze_status graze_outline_csv(char **out, graze_context *context,
                                                        const graze_outline *outline);
 
+/** Forms of a polygon as text: well-known text, GeoJSON, SVG, legacy VTK. */
+typedef enum graze_polygon_format {
+    GRAZE_POLYGON_WKT = 0,
+    GRAZE_POLYGON_GEOJSON = 1,
+    GRAZE_POLYGON_SVG = 2,
+    GRAZE_POLYGON_VTK = 3
+} graze_polygon_format;
+
+/**
+ * The outline as valid polygons of doubles, one for each component of the interior, with its holes.
+ * Each point of the outline is within a distance of their edges, and each point of an edge within
+ * it of the outline; edges meet at points of the outline at which arcs do, alone.
+ * @param[out] out    text for graze_free
+ * @param      within the distance, above 0
+ * @return GRAZE_EUSE; GRAZE_ELIMIT limit `arcs`, or doubles are too far apart for such polygons;
+ * GRAZE_ECANCELED, GRAZE_ESYSTEM
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_outline_polygon(char **out, graze_context *context,
+                                                           const graze_outline *outline,
+                                                           double within,
+                                                           graze_polygon_format format);
+
 #ifdef __cplusplus
 }
 #endif

@@ -74,3 +74,15 @@ graze_status graze_outline_csv(char **out, graze_context *context, const graze_o
     TRY(outline_csv(&t, context, outline));
     return text_finish(out, context, &t);
 }
+
+graze_status graze_outline_polygon(char **out, graze_context *context, const graze_outline *outline,
+                                   double within, graze_polygon_format format) {
+    PUBLIC_OUT(out, context, outline);
+    REFUSED(format < GRAZE_POLYGON_WKT || format > GRAZE_POLYGON_VTK, "format is none of the enum");
+    REFUSED(!(within > 0 && isfinite(within)), "within must be above 0 and finite");
+    HELD(text, t);
+    ZEROED(outline_polygon, polygon);
+    TRY(outline_polygon_make(&polygon, outline, context, within));
+    outline_polygon_text(&t, &polygon, format);
+    return text_finish(out, context, &t);
+}

@@ -23,6 +23,9 @@ static void outlines(bench *b) {
     WRONG(graze_outline_csv(NULL, c, NULL));
     WRONG_OUT(char, graze_outline_csv(&out, NULL, NULL));
     WRONG_OUT(char, graze_outline_csv(&out, c, NULL));
+    WRONG(graze_outline_polygon(NULL, c, NULL, 1, GRAZE_POLYGON_WKT));
+    WRONG_OUT(char, graze_outline_polygon(&out, NULL, NULL, 1, GRAZE_POLYGON_WKT));
+    WRONG_OUT(char, graze_outline_polygon(&out, c, NULL, 1, GRAZE_POLYGON_WKT));
     HARMLESS(graze_outline_destroy, CALLS(graze_outline_destroy(NULL)));
     HARMLESS(graze_outline_get, graze_outline_get(NULL).arcs == 0);
     HARMLESS(graze_outline_area, !graze_outline_area(b->half, NULL));

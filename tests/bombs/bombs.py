@@ -261,6 +261,11 @@ BOMBS = [
          {"square.wkt": "POLYGON((0 0,1 0,1 1,0 1,0 0))",
           "legs.json": json.dumps({"dimension": 2, "keyframes": [{"t": k, "position": [k % 2 * 1000 + k * 7 % 13, k * 37 % 1001]} for k in range(2001)]})},
          "--limit arcs=1000000000"),
+    # About 10^6 edges for a quarter of a circle.
+    Bomb("edges-of-a-polygon", "arcs", "outline {square.wkt} {turn.json} --polygon p.wkt --within 1e-15 --limit arcs=10000",
+         {"square.wkt": "POLYGON((0 0,1 0,1 1,0 1,0 0))",
+          "turn.json": '{"dimension": 2, "pieces": [{"t": [0, 1], "transform": {"rotate": {"tan_half": "t"}}}]}'},
+         "--limit arcs=1000000000"),
 ]
 
 checks = Checks()

@@ -210,6 +210,7 @@ def make(graze, folder):
     yield Scene("collide-list", ["collide", *one, "--list", "pairs.csv", "-o", "table"], 3, files={"pairs.csv": pairs}, tables=("table",))
     yield Scene("collide-list-jsonl", ["collide", *one, "--list", "pairs.csv", "--format", "jsonl"], 3, files={"pairs.csv": pairs})
     yield Scene("outline", ["outline", u, roll, "--operation", "unsweep", "--arcs", "a.csv", "--format", "json"], tables=("a.csv",))
+    yield Scene("outline-polygon", ["outline", u, roll, "--polygon", "p.wkt", "--within", "1/8"], tables=("p.wkt",))
     yield Scene("judge", ["judge", cube, turn, cube, "--within", "1r", "--count", "3", "--vertices", "v.csv"], tables=("v.csv",),
                 spared=NUMBERS)
     yield Scene("judge-page", ["judge", cube, turn, cube, "--within", "1r", "--budget", "1", "--no-points", "--page", "p.html"],

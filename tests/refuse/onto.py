@@ -64,6 +64,7 @@ ROWS = [
         {"--events": "o", "--curve": "o", "--patches": "o", "--joints": "o", "--points": "o", "--output": "o"}),
     Row("collide S.wkt M.json S.wkt", SCENE, {"--output": "o", "-o": "o"}, reads=["--motion-of-fixed"], ends=1),
     Row("collide", [], {"--output": "o", "-o": "o", "--resume": "o"}, reads=["--list", "--motion-of-fixed"], ends=1),
+    Row("outline S.wkt M.json --within 1", SCENE, {"--polygon": "o.wkt"}),
     Row("outline S.wkt M.json", SCENE, {"--arcs": "o", "--output": "o", "-o": "o"}),
     Row("judge B.off B.json B.off --within 1 --count 1", ["B.off", "B.json"], {"--vertices": "o.csv", "--answers": "o.csv", "--page": "o.html", "--output": "o"},
         reads=["--points"]),

@@ -147,6 +147,8 @@ void outline_text(text *out, const graze_outline *o);
 graze_status outline_json(text *out, graze_context *context, const graze_outline *o);
 /** Append the table of an outline's arcs. */
 graze_status outline_csv(text *out, graze_context *context, const graze_outline *o);
+/** Append the polygons of an outline. */
+void outline_polygon_text(text *out, const outline_polygon *p, graze_polygon_format format);
 
 /* Sites as rows of a table or lines of JSON (src/program/cli/formats.md, Contact points). */
 

@@ -61,6 +61,13 @@ graze_status outline_arcs(graze_outline *o, graze_context *context, const turn_o
 /** Walk along the arcs through the interior and through the complement (C141). */
 graze_status outline_walks(graze_outline *o, graze_context *context, const turn_order *turns);
 
+/** The cuts at which an arc begins and ends on its curve, the lower one first. */
+void outline_arc_ends(algebraic **end, const graze_outline *o, const outline_arc *arc);
+static inline int outline_is_straight(const graze_outline *o, const outline_curve *c) {
+    return c->slant || o->equation[c->equation].degree == 1;
+}
+/** An exponent of 2, at least 0: the boundary's coordinates are less than its power. */
+int outline_exponent(const graze_outline *o);
 /** Find areas and lengths of all arcs, rings and walks, and of the whole (C142). */
 graze_status outline_measures(graze_outline *o, graze_context *context);
 /** A number of no arcs, and its memory. */

@@ -54,8 +54,7 @@ static void measurer_forget(outline_measure *m, int is_exact) {
     fmpz_zero(m->bounds.high);
 }
 
-/* The cuts at which an arc begins and ends on its curve, the lower one first. */
-static void arc_ends(algebraic **end, const graze_outline *o, const outline_arc *arc) {
+void outline_arc_ends(algebraic **end, const graze_outline *o, const outline_arc *arc) {
     const outline_piece *first = &o->piece[o->arc_piece[arc->first]];
     const outline_piece *last = &o->piece[o->arc_piece[arc->first + arc->count - 1]];
     end[0] = piece_end(o, first->turn > 0 ? first : last, 0);
@@ -146,8 +145,8 @@ static graze_status measure_arc(const measurer *m, outline_arc *arc) {
     algebraic *end[2];
     const outline_piece *first = &o->piece[o->arc_piece[arc->first]];
     outline_curve *c = &o->curve[first->curve];
-    int is_straight = c->slant || o->equation[c->equation].degree == 1;
-    arc_ends(end, o, arc);
+    int is_straight = outline_is_straight(o, c);
+    outline_arc_ends(end, o, arc);
     int is_rational = algebraic_is_rational(end[0]) && algebraic_is_rational(end[1]);
     measurer_forget(&arc->length, 0);
     measurer_forget(&arc->area,
@@ -218,7 +217,7 @@ static int sum_measures(graze_outline *o) {
            (!o->ring_count || (is_near(&o->area, o->width) && is_near(&o->length, o->width)));
 }
 
-graze_status outline_measures(graze_outline *o, graze_context *context) {
+int outline_exponent(const graze_outline *o) {
     int exponent = 0, most = 0;
     for (size_t k = 0; k < o->piece_count; k++)
         for (int i = 0; i < 2; i++) {
@@ -227,6 +226,11 @@ graze_status outline_measures(graze_outline *o, graze_context *context) {
                 (void)frexp(reach, &exponent);
             most = exponent > most ? exponent : most;
         }
+    return most;
+}
+
+graze_status outline_measures(graze_outline *o, graze_context *context) {
+    int most = outline_exponent(o);
     for (ulong bits = (ulong)(16 - ilogb(o->width));; bits += bits / 2) {
         ulong guard = 40 + 3 * (ulong)most;
         const measurer m = {o, context, bits + guard, guard};

@@ -136,6 +136,29 @@ struct graze_outline {
     fmpq *spot; /* isolated lower points, two coordinates each */
 };
 
+/** Part of an arc as an edge of a polygon. It begins at `at`, integers in units of 2^-places, in
+ * the direction that has the set on its left, and ends where edge `next` begins. `node`: edges with
+ * one number begin at one point of the outline. `where` holds the part's parameters, of a curved
+ * arc.
+ */
+typedef struct polygon_edge {
+    size_t arc, node, next;
+    slong at[2];
+    dyadic_interval where;
+    int curved, fine, split;
+} polygon_edge;
+
+/** The rings of an outline as polylines: ring r begins with edge first[r]. `distance`: in units, of
+ * an arc from its edges. */
+typedef struct outline_polygon {
+    const graze_outline *o;
+    graze_context *context;
+    ulong places;
+    double distance;
+    size_t count, capacity, *first;
+    polygon_edge *edge;
+} outline_polygon;
+
 /** Find the outline of a scene in the plane. `out` is zeroed; the caller calls outline_clear in any
  * case. GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL. */
 graze_status outline_make(graze_outline *out, graze_context *context, const graze_scene *scene,
@@ -155,6 +178,12 @@ const outline_piece *outline_last_of(const graze_outline *o, const outline_arc *
 void outline_rational_bounds(fmpq_t low, fmpq_t high, const graze_outline *o,
                              const outline_measure *m);
 void outline_bounds(double *low, double *high, const graze_outline *o, const outline_measure *m);
+/** Make simple rings within a distance of the outline, nested as its own (proofs/outline.md C144).
+ * The caller calls outline_polygon_clear in any case. GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM.
+ */
+graze_status outline_polygon_make(outline_polygon *out, const graze_outline *o,
+                                  graze_context *context, double within);
+void outline_polygon_clear(outline_polygon *p);
 /** The number of lower arcs: pieces between cuts. */
 size_t outline_lower_count(const graze_outline *o);
 
