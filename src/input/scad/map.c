@@ -24,7 +24,7 @@ void scad_map_clear(scad_map *m) {
 
 /* Reduce a map to one of the plane, as OpenSCAD does. The third axis is scaled about as the plane
  * is, so that scad_turn sees a rotation where there is one. */
-static void flatten(scad_map *m) {
+static void flatten_map(scad_map *m) {
     LOCAL(fmpq, square);
     for (int k = 0; k < 5; k++)
         if (k != 2)
@@ -54,7 +54,7 @@ graze_status scad_map_read(scad_map *out, scad_writer *w, const scad_place *p, i
         vector_set(out->linear + 3 * i, v + 4 * i, 3);
     }
     if (p->file->node[p->node].dimension == 2)
-        flatten(out);
+        flatten_map(out);
     *turned = w->choice->near_rotation &&
               scad_turn(out->linear, out->error, w->context, w->choice->near_rotation);
     return GRAZE_OK;
