@@ -21,12 +21,6 @@ graze_status graze_envelope_create(graze_envelope **out, graze_context *context,
 
 DESTROYER(graze_envelope, envelope_clear(of))
 
-static graze_decomposable answer_of(graze_decomposable_reason reason) {
-    return reason == GRAZE_REASON_POSITIVE ? GRAZE_DECOMPOSABLE_YES
-           : reason >= GRAZE_REASON_PIECES ? GRAZE_DECOMPOSABLE_UNDECIDED
-                                           : GRAZE_DECOMPOSABLE_NO;
-}
-
 graze_envelope_facts graze_envelope_get(const graze_envelope *envelope) {
     graze_envelope_facts out = {0};
     if (!envelope)
@@ -35,7 +29,9 @@ graze_envelope_facts graze_envelope_get(const graze_envelope *envelope) {
     out.edges = envelope->cells.dimension == 3 ? envelope->cells.edge_count : 0;
     out.vertices = envelope->cells.vertex_count;
     out.reason = envelope->found.reason;
-    out.decomposable = answer_of(out.reason);
+    out.decomposable = out.reason == GRAZE_REASON_POSITIVE ? GRAZE_DECOMPOSABLE_YES
+                       : out.reason >= GRAZE_REASON_PIECES ? GRAZE_DECOMPOSABLE_UNDECIDED
+                                                           : GRAZE_DECOMPOSABLE_NO;
     out.facet = envelope->found.facet;
     out.cell = envelope->found.cell;
     out.time = envelope->found.time;

@@ -174,19 +174,17 @@ def check_faces(files):
 
 
 def check_headers(files, objects, arrows):
-    """The functions that a source defines for others are declared in one header of its room (of base, in its own), or in the
+    """The functions that a source defines for others are declared in one header of its room, or in the
     public one, and nowhere else."""
     headers = {path: sources.declared(text) for path, text in files.items() if path.endswith((".h", ".hpp"))}
     given = collections.defaultdict(set)
     for (_, source), names in arrows.items():
         given[source] |= names & objects[source].functions
     for source, names in sorted(given.items()):
-        base = sources.wing_of(source) == "base"
-        place = sources.unit_of if base else os.path.dirname
-        own = sources.unit_of(source) + ".h" if base else f"{os.path.dirname(source)}/*.h"
+        own = f"{os.path.dirname(source)}/*.h"
         for name in sorted(calls.free_functions(names)):
             places = [path for path, known in headers.items() if name in known]
-            right = len(places) == 1 and (place(places[0]) == place(source) or sources.is_public(places[0]))
+            right = len(places) == 1 and (os.path.dirname(places[0]) == os.path.dirname(source) or sources.is_public(places[0]))
             check(right, f"{source} defines {name} for others; expected a declaration in {own} or the public header, "
                   f"found {' '.join(places) or 'none'}")
 

@@ -4,10 +4,7 @@
 #ifndef GRAZE_TESTS_UNIT_NUMBERS_H
 #define GRAZE_TESTS_UNIT_NUMBERS_H
 
-#include "base/number/algebraic.h"
 #include "base/number/isolate.h"
-#include "base/number/order.h"
-#include "base/number/sign.h"
 
 static inline void append_roots(algebraic_list *list, const fmpz_poly_t p,
                                 const dyadic_interval *interval) {

@@ -5,7 +5,7 @@
 #include "../lib/random.h"
 
 #include <math.h>
-#include "base/number/order.h"
+#include "base/number/algebraic.h"
 #include "base/number/simplest.h"
 #include "numbers.h"
 

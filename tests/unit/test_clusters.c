@@ -4,7 +4,7 @@
  */
 #include "fixture.h"
 #include "../lib/random.h"
-#include "base/number/order.h"
+#include "base/number/algebraic.h"
 #include "numbers.h"
 
 #include <flint/arith.h>

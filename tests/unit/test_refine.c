@@ -4,7 +4,7 @@
  */
 #include "fixture.h"
 #include "../lib/random.h"
-#include "base/number/refine.h"
+#include "base/number/algebraic.h"
 #include "numbers.h"
 
 #include <flint/fmpq_poly.h>

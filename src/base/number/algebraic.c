@@ -3,6 +3,8 @@
  */
 #include "base/number/algebraic.h"
 
+#include "base/context/scope.h"
+
 void algebraic_init(algebraic *x) {
     fmpq_init(x->value);
     fmpz_poly_init(x->poly);
@@ -42,6 +44,16 @@ int algebraic_sign_before(const fmpz_poly_t g, const dyadic_interval *interval) 
         return 0;
     int low = dyadic_sign(g, interval->low, interval->exponent);
     return low != dyadic_sign(g, interval->high, interval->exponent) ? low : 0;
+}
+
+int algebraic_factor(fmpz_poly_t out, const fmpz_poly_t p, const dyadic_interval *interval) {
+    LOCAL(fmpz_poly_factor, factors);
+    fmpz_poly_factor(factors, p);
+    slong k = factors->num - 1;
+    while (k > 0 && !algebraic_sign_before(factors->p + k, interval))
+        k--;
+    fmpz_poly_set(out, factors->p + k);
+    return algebraic_sign_before(out, interval);
 }
 
 void algebraic_bounds(fmpq_t low, fmpq_t high, const algebraic *x) {

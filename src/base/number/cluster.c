@@ -11,7 +11,6 @@
 #include <limits.h>
 #include "base/context/scope.h"
 #include "base/number/bernstein.h"
-#include "base/number/refine.h"
 
 /* SHARPNESS: bits by which the largest coefficient exceeds the error, beyond those of the degree.
  * FIRST_PRECISION: binary places to begin with. LEAST_GAIN: gain of the least leap, to half the

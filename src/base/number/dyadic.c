@@ -16,6 +16,10 @@ void dyadic_value(fmpq_t out, const fmpz_t numerator, ulong exponent) {
     fmpq_set_fmpz_frac(out, numerator, denominator);
 }
 
+void rational_shift(fmpq_t x, slong places) {
+    (places < 0 ? fmpq_div_2exp : fmpq_mul_2exp)(x, x, (ulong)FLINT_ABS(places));
+}
+
 /* The least r >= 0 with |numerator / 2^exponent| <= 2^r, or one more. */
 static ulong reach_of(const fmpz_t numerator, ulong exponent) {
     ulong bits = fmpz_bits(numerator);

@@ -26,6 +26,9 @@ void dyadic_interval_halves(dyadic_interval *left, dyadic_interval *right,
 /** The rational numerator / 2^exponent in lowest terms. */
 void dyadic_value(fmpq_t out, const fmpz_t numerator, ulong exponent);
 
+/** Multiply by 2^places, a negative number of places too. */
+void rational_shift(fmpq_t x, slong places);
+
 /** Set `out` to 2^(e n) p((low + (high - low) v) / 2^e), in powers of v, for the degree n of p and
  * an interval with exponent e. */
 void dyadic_pull(fmpz_poly_t out, const fmpz_poly_t p, const dyadic_interval *interval);

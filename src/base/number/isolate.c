@@ -9,7 +9,6 @@
 #include "base/number/bernstein.h"
 #include "base/number/cluster.h"
 #include "base/number/modular.h"
-#include "base/number/refine.h"
 #include "base/number/simplest.h"
 
 static graze_status roots_inside(const root_search *s, bernstein_form *form,

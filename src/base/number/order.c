@@ -2,12 +2,11 @@
  * between two.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "base/number/order.h"
+#include "base/number/algebraic.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/modular.h"
-#include "base/number/refine.h"
 
 /* Sign of a / 2^e - b / 2^f. */
 static int compare_dyadics(const fmpz_t a, ulong e, const fmpz_t b, ulong f) {

@@ -1,7 +1,7 @@
 /* Narrowing the interval of a real algebraic number: by halves, and by secants once the polynomial
  * is nearly straight on it (proofs/claims.md C30). SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "base/number/refine.h"
+#include "base/number/algebraic.h"
 
 #include "base/context/scope.h"
 

@@ -11,6 +11,7 @@
 #include <stdint.h>
 #include <string.h>
 #include "base/context/scope.h"
+#include "base/number/dyadic.h"
 #include "base/number/rounding.h"
 
 /* A binary format: its precision, and the exponents of MPFR's convention (|x| < 2^exponent) of its
@@ -26,19 +27,9 @@ static const binary_format formats[] = {
 /* Set `out` to integer * 2^shift, negated if `negative`. */
 static void set_scaled(fmpq_t out, const fmpz_t integer, slong shift, int negative) {
     fmpq_set_fmpz(out, integer);
-    if (shift >= 0)
-        fmpq_mul_2exp(out, out, (flint_bitcnt_t)shift);
-    else
-        fmpq_div_2exp(out, out, (flint_bitcnt_t)-shift);
+    rational_shift(out, shift);
     if (negative)
         fmpq_neg(out, out);
-}
-
-/* The finite number `x` as a rational. */
-static void set_mpfr(fmpq_t out, const mpfr_t x) {
-    LOCAL(mpq, value);
-    mpfr_get_q(value, x);
-    fmpq_set_mpq(out, value);
 }
 
 graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding rounding) {
@@ -54,8 +45,11 @@ graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding
     int overflows = mpfr_inf_p(x);
     mpfr_set_emin(emin);
     mpfr_set_emax(emax);
-    if (!overflows)
-        set_mpfr(value, x);
+    LOCAL(mpq, exact);
+    if (!overflows) {
+        mpfr_get_q(exact, x);
+        fmpq_set_mpq(value, exact);
+    }
     return overflows ? context_fail(context, GRAZE_EINPUT, "overflows %s when rounded",
                                     graze_rounding_name(rounding))
                      : GRAZE_OK;

@@ -1,12 +1,11 @@
 /* The sign of a polynomial at a real algebraic number, by refinement, and by a gcd if it is 0.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "base/number/sign.h"
+#include "base/number/algebraic.h"
 
 #include "base/context/scope.h"
 #include "base/number/bernstein.h"
 #include "base/number/modular.h"
-#include "base/number/refine.h"
 #include "base/number/simplest.h"
 
 /* Binary places of an interval's ends up to which Bernstein coefficients are cheap. */

@@ -78,6 +78,14 @@ void vector_cross(fmpq *out, const fmpq *a, const fmpq *b) {
     }
 }
 
+void integers_cross(fmpz *out, const fmpz *a, const fmpz *b) {
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        fmpz_mul(out + i, a + j, b + k);
+        fmpz_submul(out + i, a + k, b + j);
+    }
+}
+
 void vector_image(fmpq *out, const fmpq_mat_t map, const fmpq *point, int dimension) {
     for (int i = 0; i < dimension; i++) {
         fmpq_set(out + i, fmpq_mat_entry(map, i, dimension));

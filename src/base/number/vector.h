@@ -24,6 +24,7 @@ int vector_collinear(const fmpq *a, const fmpq *b, const fmpq *c);
 void vector_set(fmpq *out, const fmpq *a, int dimension);
 /** out = a x b, in space; `out` is neither a nor b. */
 void vector_cross(fmpq *out, const fmpq *a, const fmpq *b);
+void integers_cross(fmpz *out, const fmpz *a, const fmpz *b);
 /** out = a + part (b - a); `out` may be a or b. */
 void vector_between(fmpq *out, const fmpq *a, const fmpq *b, const fmpq_t part, int dimension);
 /** The zero between p and q of an affine function that is `a` at p and `b` at q, which differ. */

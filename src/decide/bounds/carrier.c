@@ -21,14 +21,6 @@ static slong degree_of(const point_map *map) {
     return degree < 1 ? 1 : degree;
 }
 
-/* The least e with |c| < 2^e for all coefficients of the weight. */
-static slong weight_exponent(const fmpz *weight, slong degree) {
-    ulong bits = 0;
-    for (slong k = 0; k <= degree; k++)
-        bits = fmpz_bits(weight + k) > bits ? fmpz_bits(weight + k) : bits;
-    return (slong)bits;
-}
-
 /* c 2^-exponent; sets *fits to 0 if it is too large. A number that is too small becomes 0, and the
  * filter's floor covers that error. */
 static double scale_coefficient(const fmpz_t c, slong exponent, int *fits) {
@@ -46,10 +38,11 @@ static double scale_coefficient(const fmpz_t c, slong exponent, int *fits) {
 
 static void convert_map(carrier *out, const point_map *map, const dyadic_interval *part) {
     int entries = map->dimension * (map->dimension + 1);
-    slong n = out->degree + 1, exponent;
+    slong n = out->degree + 1;
     LOCAL_VEC(fmpz, c, n);
     bernstein_from_poly(c, map->weight, out->degree, part);
-    exponent = weight_exponent(c, out->degree);
+    /* the least e with |c| < 2^e for all coefficients of the weight */
+    slong exponent = FLINT_ABS(_fmpz_vec_max_bits(c, n));
     for (int j = 0; j <= entries; j++) {
         bernstein_from_poly(c, j < entries ? &map->entry[j] : map->weight, out->degree, part);
         for (slong k = 0; k < n; k++)

@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <string.h>
+#include "base/number/vector.h"
 #include "input/validate/validate.h"
 
 static const double *double_corner(const graze_solid *solid, uint32_t simplex, int k) {
@@ -15,10 +16,9 @@ static const double *double_corner(const graze_solid *solid, uint32_t simplex, i
 
 /* Have two vertices one position? Vertices with different numbers may. */
 static int is_one_position(const graze_solid *solid, uint32_t v, uint32_t w) {
-    size_t d = (size_t)solid->input.dimension;
-    const fmpq *x = solid->input.coordinates + d * v, *y = solid->input.coordinates + d * w;
-    return v == w ||
-           (fmpq_equal(x, y) && fmpq_equal(x + 1, y + 1) && (d == 2 || fmpq_equal(x + 2, y + 2)));
+    const fmpq *at = solid->input.coordinates;
+    int d = solid->input.dimension;
+    return v == w || !vector_compare(at + (size_t)d * v, at + (size_t)d * w, d);
 }
 
 /* The corners of b that a has too, as a mask. */

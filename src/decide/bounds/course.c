@@ -7,10 +7,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-static int entries_of(const course *c) {
-    return c->dimension * (c->dimension + 1);
-}
-
 /* Matrix k of a piece's control polygon: the matrices of its maps are means of these. 0 if there is
  * no bound: its weight is too small, or an entry beyond CARRIER_REACH. */
 static int control_matrix(double *out, const carrier *piece, int entries, int k) {
@@ -40,7 +36,7 @@ static double share_of(const piece_group *g, const double *matrix, int entries) 
 static void bound_group(course *c, piece_group *g, size_t count) {
     const carrier *first = &c->piece[g->piece], *last = first + count - 1;
     double matrix[POINT_MAP_ENTRIES];
-    int entries = entries_of(c);
+    int entries = c->dimension * (c->dimension + 1);
     g->bounded = control_matrix(g->first, first, entries, 0) &&
                  control_matrix(g->last, last, entries, last->degree);
     for (int e = 0; e < entries; e++)

@@ -11,8 +11,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "base/number/order.h"
-#include "base/number/refine.h"
 #include "decide/curved/arrangement.h"
 
 enum { X, Y, VARIABLES, PARTS = CSG_FREE_MOST * CSG_DEGREE + VARIABLES };

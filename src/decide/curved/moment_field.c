@@ -1,28 +1,17 @@
 /* Polynomials in the local time, and their signs at a time or along a gap.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpz_poly_factor.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/modular.h"
-#include "base/number/sign.h"
 #include "decide/curved/walker.h"
 
 /* Replace the time's polynomial by its irreducible factor that has the time as a root. */
 static graze_status make_irreducible(graze_context *context, algebraic *time) {
     TRY(common_factor_work(context, time->poly, time->poly));
-    LOCAL(fmpz_poly_factor, factors);
-    fmpz_poly_factor(factors, time->poly);
-    for (slong k = 0; k < factors->num && factors->num > 1; k++) {
-        int sign = algebraic_sign_before(factors->p + k, &time->where);
-        if (sign == 0)
-            continue;
-        fmpz_poly_set(time->poly, factors->p + k);
-        time->low_sign = sign;
-        break;
-    }
+    time->low_sign = algebraic_factor(time->poly, time->poly, &time->where);
     return GRAZE_OK;
 }
 

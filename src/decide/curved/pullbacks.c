@@ -5,7 +5,6 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "base/number/order.h"
 #include "decide/bounds/bounds.h"
 #include "decide/curved/walker.h"
 #include "input/validate/validate.h"
@@ -141,18 +140,14 @@ static graze_status ask_surfaces(pullbacks *p, const exact_window *window, const
     return GRAZE_OK;
 }
 
-static void set_interval(dyadic_interval *out, const exact_window *window) {
-    int whole = window->from == 0 && window->to == WINDOW_WHOLE;
-    dyadic_interval_set_si(out, window->from, whole ? 1 : window->to);
-    out->exponent = whole ? 0 : WINDOW_LEVELS;
-}
-
 graze_status pullbacks_set(pullbacks *p, const trajectory *c, const exact_window *window,
                            const candidate *asked) {
     TRY(context_poll(p->context));
     TRY(ask_surfaces(p, window, asked));
     HELD(dyadic_interval, where);
-    set_interval(&where, window);
+    int whole = window->from == 0 && window->to == WINDOW_WHOLE;
+    dyadic_interval_set_si(&where, window->from, whole ? 1 : window->to);
+    where.exponent = whole ? 0 : WINDOW_LEVELS;
     monomials *m = monomials_create(p->context, c);
     if (!m)
         return GRAZE_ESYSTEM;

@@ -13,9 +13,6 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "base/number/order.h"
-#include "base/number/refine.h"
-#include "base/number/sign.h"
 #include "decide/bounds/bounds.h"
 #include "decide/curved/walker.h"
 #include "input/validate/validate.h"

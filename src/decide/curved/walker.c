@@ -8,8 +8,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "base/number/order.h"
-#include "base/number/sign.h"
 #include "decide/bounds/bounds.h"
 #include "decide/curved/walker.h"
 

@@ -213,11 +213,6 @@ static void pass_halves(passing *p, uint32_t index, const near_simplices *around
         pass_part(p, half, around);
 }
 
-/* How far the curve runs in a part, in its longest coordinate. */
-static double length_of_part(const span *part) {
-    return largest3(part->along) + part->bend;
-}
-
 /* Decide a part of one piece with simplices near it, or its halves. */
 static void pass_near(passing *p, uint32_t index, near_simplices *near, const span *wide,
                       const double *spread) {
@@ -228,7 +223,7 @@ static void pass_near(passing *p, uint32_t index, near_simplices *near, const sp
     if (!p->failed && !near->overflow && contacts_are_certain(p, near, wide))
         return;
     double least = p->failed ? LEAST_PIERCING : seeks_normal(p) ? LEAST_FOR_NORMAL : LEAST_LENGTH;
-    if (part->level < PASS_LEVELS && length_of_part(part) > least * most) {
+    if (part->level < PASS_LEVELS && largest3(part->along) + part->bend > least * most) {
         pass_halves(p, index, near->overflow ? NULL : near);
         return;
     }

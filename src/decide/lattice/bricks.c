@@ -24,10 +24,6 @@ int bricks_make(bricks *out, const graze_scene *scene, const lattice *l) {
     return out->state != NULL;
 }
 
-static size_t bricks_in_layer(const bricks *b) {
-    return b->lattice->dimension == 2 ? b->count[0] : b->count[0] * b->count[1];
-}
-
 static void forget(brick_state *s) {
     free(s->pmc);
     s->pmc = NULL;
@@ -45,7 +41,8 @@ void bricks_clear(bricks *b) {
 
 /* The lock is held. */
 static void forget_layers(bricks *b, size_t index) {
-    size_t each = bricks_in_layer(b), layer = index / each;
+    size_t each = b->count[0] * (b->lattice->dimension == 2 ? 1 : b->count[1]);
+    size_t layer = index / each;
     for (; b->kept + LAYERS_KEPT < layer; b->kept++)
         for (size_t k = b->kept * each; k < (b->kept + 1) * each; k++)
             if (!b->state[k].busy)

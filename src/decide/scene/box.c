@@ -207,10 +207,7 @@ static void grain(fmpq_t out, const fmpq *low, const fmpq *high, int d) {
     }
     slong e = (slong)fmpz_bits(fmpq_numref(longest)) - (slong)fmpz_bits(fmpq_denref(longest));
     fmpq_one(out);
-    if (e >= 0)
-        fmpq_mul_2exp(out, out, (flint_bitcnt_t)e);
-    else
-        fmpq_div_2exp(out, out, (flint_bitcnt_t)-e);
+    rational_shift(out, e);
     if (fmpq_cmp(out, longest) > 0)
         fmpq_div_2exp(out, out, 1);
     fmpq_div_2exp(out, out, SIGNIFICANT_BITS);
@@ -242,12 +239,6 @@ static void constant_map(point_map *out, const point_map *map) {
         fmpz_poly_set_trunc(&out->entry[k], &map->entry[k], 1);
     fmpz_poly_init(out->weight);
     fmpz_poly_set_trunc(out->weight, map->weight, 1);
-}
-
-static void point_map_free(point_map *map) {
-    for (int k = 0; k < 12; k++)
-        fmpz_poly_clear(&map->entry[k]);
-    fmpz_poly_clear(map->weight);
 }
 
 static void search_init(search *s, graze_context *context, int dimension) {
@@ -300,7 +291,7 @@ graze_status scene_box(fmpq *low, fmpq *high, graze_context *context, const graz
     }
     if (!status)
         round_outwards(low, high, d);
-    point_map_free(&still);
+    point_map_clear(&still);
     images_clear(&m);
     return status;
 }

@@ -124,12 +124,6 @@ static int cut_span(searcher *s, size_t index) {
     return 1;
 }
 
-static void record(searcher *s, uint32_t simplex, const exact_span *when) {
-    uint32_t length = UINT32_C(1) << (WINDOW_LEVELS - when->level);
-    if (!candidates_append(s->out, (candidate){0, simplex, when->start, when->start + length}))
-        lose_memory(s);
-}
-
 static void descend_exactly(searcher *s, size_t node_index, size_t span_index) {
     const tree_node *node = &s->solid->boxes.node[node_index];
     const exact_span *piece = &s->spans[span_index];
@@ -146,7 +140,9 @@ static void descend_exactly(searcher *s, size_t node_index, size_t span_index) {
         descend_exactly(s, node->child, span_index);
         descend_exactly(s, node->child + 1, span_index);
     } else {
-        record(s, node->simplex, piece);
+        uint32_t end = piece->start + (UINT32_C(1) << (WINDOW_LEVELS - piece->level));
+        if (!candidates_append(s->out, (candidate){0, node->simplex, piece->start, end}))
+            lose_memory(s);
     }
 }
 

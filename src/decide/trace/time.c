@@ -10,8 +10,6 @@
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/modular.h"
-#include "base/number/order.h"
-#include "base/number/refine.h"
 
 graze_time *time_create(const graze_motion *motion, size_t piece, const algebraic *u) {
     graze_time *time = malloc(sizeof *time);

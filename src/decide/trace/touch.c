@@ -10,9 +10,7 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "base/number/order.h"
 #include "base/number/rounding.h"
-#include "base/number/sign.h"
 #include "input/validate/validate.h"
 
 typedef struct finder {

@@ -103,13 +103,6 @@ void pose_negate(pose *p) {
         fmpq_neg(p->quaternion + k, p->quaternion + k);
 }
 
-/* The square root of a rational number, exact if the root is rational, else computed in doubles. */
-static graze_status length_near(fmpq_t out, graze_context *context, const fmpq_t square) {
-    return rational_root(out, square)
-               ? GRAZE_OK
-               : rational_from_double(out, context, sqrt(fmpq_get_d(square)));
-}
-
 /* An upper bound of the angle between the rotation of q = (w, -j, i, 0), which turns e to u = (2 w
  * i, 2 w j, w^2 - i^2 - j^2) / |q|^2, and the least rotation to the axis. */
 static void axis_error(mpfr_t out, const fmpq_t w, const fmpq *a, const fmpq_t square) {
@@ -158,7 +151,8 @@ static graze_status axis_rotation(mpfr_t error, graze_context *context, const po
             fmpq_is_zero(square) ? "zero; expected a direction"
                                  : "opposite to (0, 0, 1), to which no rotation is the least; "
                                    "expected another direction");
-    TRY(length_near(w, context, square));
+    if (!rational_root(w, square))
+        TRY(rational_from_double(w, context, sqrt(fmpq_get_d(square))));
     if (fmpq_sgn(a + 2) >= 0) {
         fmpq_add(w, w, a + 2);
     } else {

@@ -81,16 +81,12 @@ static void add_top(profile *p, const tool *s, const fmpq *normal, slong bits, i
     add_profile_point(p, r, s->height);
 }
 
-static double direction_angle(const fmpq *direction) {
-    return atan2(fmpq_get_d(direction + 1), fmpq_get_d(direction));
-}
-
 static void make_profiles(tool_pair *out, const tool *s, size_t pieces, slong bits) {
     LOCAL_VEC(fmpq, direction, (slong)(2 * pieces + 2));
     LOCAL_VEC(fmpq, one, 2);
     fmpq *stretch = one + 1;
     fmpq_one(one);
-    double from = -pi_near / 2, to = direction_angle(s->high);
+    double from = -pi_near / 2, to = atan2(fmpq_get_d(s->high + 1), fmpq_get_d(s->high));
     for (size_t k = 0; k <= pieces; k++)
         snap_direction(direction + 2 * k, from + (to - from) * (double)k / (double)pieces, bits);
     stretch_of(stretch, direction, pieces + 1, 0, bits);

@@ -13,13 +13,6 @@
 #include "input/convert/angle.h"
 #include "input/convert/poses_list.h"
 
-/* `degrees` without its whole quarters, whose number has the same sign. */
-static void split_quarters(fmpq_t rest, fmpz_t quarters, const fmpq_t degrees) {
-    divide_by(rest, degrees, 90);
-    fmpz_tdiv_q(quarters, fmpq_numref(rest), fmpq_denref(rest));
-    fmpq_sub_fmpz(rest, rest, quarters);
-}
-
 /* Write the axis and the center, and close the two objects of a turn. */
 static void put_axis(json_writer *w, const joint *j, int dimension) {
     if (dimension == 3)
@@ -144,11 +137,12 @@ graze_status convert_rotation(conversion *out, graze_context *context, const tar
     LOCAL(fmpz, whole);
     HELD(half_angle, tangent);
     LOCAL_MPFR(error, ANGLE_BITS);
+    divide_by(rest, turn->degrees, 90);
     if (rational) {
-        split_quarters(rest, whole, turn->degrees);
+        fmpz_tdiv_q(whole, fmpq_numref(rest), fmpq_denref(rest));
+        fmpq_sub_fmpz(rest, rest, whole);
         fmpq_one(square);
     } else {
-        divide_by(rest, turn->degrees, 90);
         fmpq_set(square, turn->square);
     }
     find_tangent(&tangent, error, turn, goal, rest, square);

@@ -6,10 +6,8 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "base/number/algebraic.h"
 #include "base/number/isolate.h"
 #include "base/number/modular.h"
-#include "base/number/refine.h"
 #include "input/motion/affine.h"
 
 enum { OPERATION_WORK = 8 };    /* work of an operation, beside that of its result's words */

@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
+#include "base/number/vector.h"
 
 /* Work of a line in a box, for each plane that may cut it. */
 enum { CUT_WORK = 8 };
@@ -44,19 +45,11 @@ static const fmpz *plane_form(const flat_walk *w, size_t plane) {
     return w->form + 4 * plane;
 }
 
-static void cross_normals(fmpz *out, const fmpz *a, const fmpz *b) {
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        fmpz_mul(out + i, a + j, b + k);
-        fmpz_submul(out + i, a + k, b + j);
-    }
-}
-
 /* Set `line` to that in which two planes meet; returns 0 if they are parallel. With n . x = -c and
  * m . x = -e on it, x cross (n cross m) = n (m . x) - m (n . x) = c m - e n. */
 static int line_of_planes(fmpz *line, const fmpz *n, const fmpz *m) {
     LOCAL(fmpz, common);
-    cross_normals(line, n, m);
+    integers_cross(line, n, m);
     if (_fmpz_vec_is_zero(line, 3))
         return 0;
     for (int i = 0; i < 3; i++) {
@@ -74,7 +67,7 @@ static int line_of_planes(fmpz *line, const fmpz *n, const fmpz *m) {
 }
 
 void flat_foot(fmpz *out, const fmpz *line) {
-    cross_normals(out, line, line + 3);
+    integers_cross(out, line, line + 3);
     _fmpz_vec_dot(out + 3, line, line, 3);
 }
 
@@ -282,7 +275,7 @@ static graze_status add_interval(edge_line *e, const fmpq *from, const fmpq *to)
     for (size_t k = 0; k < e->through_count; k++) {
         size_t plane = e->through[k];
         int facing[2] = {0, 0};
-        cross_normals(away, plane_form(w, plane), e->line);
+        integers_cross(away, plane_form(w, plane), e->line);
         for (int s = 0; s < (w->dimension == 3 ? 2 : 1); s++) {
             for (size_t i = 0; i < e->through_count; i++) {
                 _fmpz_vec_dot(sign, plane_form(w, e->through[i]), away, 3);

@@ -69,19 +69,9 @@ static size_t nef_corner(const nef *n, size_t e) {
     return n->halfedge[n->shalfedge[e].source].source;
 }
 
-/* out = normal . x, without the plane's last coefficient. */
-static void along_normal(fmpq_t out, const fmpz *plane, const fmpq *x) {
-    LOCAL(fmpq, term);
-    fmpq_zero(out);
-    for (int k = 0; k < 3; k++) {
-        fmpq_mul_fmpz(term, x + k, plane + k);
-        fmpq_add(out, out, term);
-    }
-}
-
 static int in_plane(const nef *n, size_t f, size_t v) {
     LOCAL(fmpq, value);
-    along_normal(value, n->plane + 4 * f, n->point + 3 * v);
+    vector_dot_integers(value, n->plane + 4 * f, n->point + 3 * v, 3);
     fmpq_add_fmpz(value, value, n->plane + 4 * f + 3);
     return fmpq_is_zero(value);
 }
@@ -97,7 +87,7 @@ static int cycle_sign(const nef *n, size_t f, size_t entry) {
         vector_sub(a, n->point + 3 * nef_corner(n, e), origin, 3);
         vector_sub(b, next, origin, 3);
         vector_cross(cross, a, b);
-        along_normal(term, n->plane + 4 * f, cross);
+        vector_dot_integers(term, n->plane + 4 * f, cross, 3);
         fmpq_add(sum, sum, term);
     }
     return fmpq_sgn(sum);

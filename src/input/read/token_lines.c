@@ -60,10 +60,6 @@ static int is_blank_byte(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-static int is_mark(const lines *l, char c) {
-    return *l->marks != '\0' && strchr(l->marks, c) != NULL;
-}
-
 static void skip_blanks(lines *l) {
     while (l->at < l->end) {
         size_t join = joined(l, l->at);
@@ -88,7 +84,7 @@ int lines_token(lines *l, token *out) {
     if (l->at == l->end || *l->at == '\n')
         return 0;
     l->where = l->line;
-    if (is_mark(l, *l->at)) {
+    if (*l->marks != '\0' && strchr(l->marks, *l->at)) {
         l->at++;
     } else {
         const char *p = l->at;

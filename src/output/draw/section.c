@@ -8,6 +8,7 @@
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
 #include "base/number/doubles.h"
+#include "base/number/dyadic.h"
 #include "base/number/vector.h"
 #include "output/draw/panel.h"
 
@@ -138,10 +139,7 @@ static void round_extent(fmpq_t low, fmpq_t high) {
     fmpq_sub(length, high, low);
     slong bits = (slong)fmpz_bits(fmpq_numref(length)) - (slong)fmpz_bits(fmpq_denref(length));
     fmpq_one(unit);
-    if (bits < PARTS)
-        fmpq_div_2exp(unit, unit, (flint_bitcnt_t)(PARTS - bits));
-    else
-        fmpq_mul_2exp(unit, unit, (flint_bitcnt_t)(bits - PARTS));
+    rational_shift(unit, bits - PARTS);
     fmpq_div(length, low, unit);
     fmpz_fdiv_q(whole, fmpq_numref(length), fmpq_denref(length));
     fmpq_mul_fmpz(low, unit, whole);

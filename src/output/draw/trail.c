@@ -10,7 +10,6 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "base/number/refine.h"
 #include "decide/bounds/bounds.h"
 #include "decide/scene/scene.h"
 #include "decide/trace/trace.h"

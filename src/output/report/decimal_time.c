@@ -10,7 +10,6 @@
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "base/number/refine.h"
 #include "decide/trace/trace.h"
 #include "input/motion/motion.h"
 #include "output/report/row_parts.h"

@@ -68,11 +68,7 @@ static void put_end_point(text *out, const graze_scene *scene, const fmpq *point
     LOCAL(fmpq, at);
     fmpq_set_ui(at, u, 1);
     point_map_at(map, motion_tracing(piece, scene->options.operation), at);
-    for (int row = 0; row < d; row++) {
-        fmpq_set(image + row, map + row * (d + 1) + d);
-        for (int j = 0; j < d; j++)
-            fmpq_addmul(image + row, map + row * (d + 1) + j, point + j);
-    }
+    affine_image(image, map, point, d);
     put_point(out, image, d);
 }
 

@@ -104,15 +104,11 @@ static void source_ends(const algebraic **end, const graze_outline *o, const out
     end[1] = c->cut[FLINT_MAX(first->cut, last->cut) + 1];
 }
 
-/* The cell that moves along a source, or that an edge is at one time. */
-static graze_cell source_cell(const outline_curve *c) {
-    return (graze_cell){c->source == SOURCE_PATH ? GRAZE_CELL_VERTEX : GRAZE_CELL_EDGE, c->a, c->b};
-}
-
 static graze_status put_source(outline_writer *j, const outline_piece *first,
                                const outline_piece *last) {
     const outline_curve *c = &j->outline->curve[first->curve];
-    const graze_cell cell = source_cell(c);
+    const graze_cell cell = {c->source == SOURCE_PATH ? GRAZE_CELL_VERTEX : GRAZE_CELL_EDGE, c->a,
+                             c->b};
     const graze_motion *motion = j->outline->scene->motion;
     int is_edge = c->source == SOURCE_EDGE;
     const algebraic *end[2];

@@ -68,14 +68,11 @@ graze_status typed_begin(typed_table *t, int dimension, field names, int pmc_alo
     return t->column ? GRAZE_OK : typed_no_memory(t);
 }
 
-static int is_number(const typed_column *c) {
-    return c->kind == TYPED_DOUBLE || c->kind == TYPED_NUMBER;
-}
-
 /* Make room for one more value; 0 when out of memory. */
 static int column_reserve(typed_column *c, size_t rows) {
-    return is_number(c) ? array_reserve(&c->number, &c->capacity, rows + 1, sizeof *c->number)
-                        : array_reserve(&c->code, &c->capacity, rows + 1, sizeof *c->code);
+    return c->kind == TYPED_DOUBLE || c->kind == TYPED_NUMBER
+               ? array_reserve(&c->number, &c->capacity, rows + 1, sizeof *c->number)
+               : array_reserve(&c->code, &c->capacity, rows + 1, sizeof *c->code);
 }
 
 static int typed_reserve(typed_table *t) {

@@ -126,12 +126,10 @@ static graze_status bisect(bisection *x) {
 /* The share of the vertex: `inside` if the point there is on and is not the end of the edge, else
  * the mean of both shares. */
 static void vertex_share(fmpq_t out, const fmpq_t outside, const fmpq_t inside, int on) {
-    if (on && !fmpq_is_one(inside)) {
+    if (on && !fmpq_is_one(inside))
         fmpq_set(out, inside);
-    } else {
-        fmpq_add(out, outside, inside);
-        fmpq_div_2exp(out, out, 1);
-    }
+    else
+        vector_middle(out, outside, inside, 1);
 }
 
 /* Place one vertex, as work of a team: `data` is an array of bisections, one for each member. */
@@ -167,10 +165,6 @@ static void bisection_init(bisection *x, struct graze_boundary *b, asker *a) {
     fmpq_div_2exp(x->gap, x->gap, BISECT_BITS);
 }
 
-static void bisection_clear(bisection *x) {
-    _fmpq_vec_clear(x->outside, NUMBERS);
-}
-
 graze_status boundary_bisect(graze_context *context, struct graze_boundary *b) {
     FREED(bisection, members, calloc((size_t)b->threads, sizeof *members));
     b->shares = calloc(2 * b->vertices.count + 1, sizeof *b->shares);
@@ -183,7 +177,7 @@ graze_status boundary_bisect(graze_context *context, struct graze_boundary *b) {
     graze_status status =
         team_run(context, b->threads, b->vertices.count, bisect_vertex_edge, members);
     for (int k = 0; k < b->threads; k++)
-        bisection_clear(&members[k]);
+        _fmpq_vec_clear(members[k].outside, NUMBERS);
     for (size_t v = 0; v < b->vertices.count; v++)
         b->exact += b->vertices.value[v] == GRAZE_ON && !fmpq_is_one(b->shares + 2 * v + 1);
     return status;

@@ -53,8 +53,7 @@ graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, asker *a, const
     fmpq_one(gap);
     fmpq_div_2exp(gap, gap, bits);
     for (fmpq_sub(width, high, low); fmpq_cmp(width, gap) > 0; fmpq_div_2exp(width, width, 1)) {
-        fmpq_add(middle, low, high);
-        fmpq_div_2exp(middle, middle, 1);
+        vector_middle(middle, low, high, 1);
         TRY(ask_on_line(&answer, a, base, way, middle));
         if (answer == GRAZE_OUT) {
             fmpq_set(high, middle);

@@ -47,11 +47,6 @@ typedef struct sharpening {
     size_t *corners, face_count, corner_capacity; /* the new faces */
 } sharpening;
 
-static const sample_cell *fan_cell(const sharpening *s, const fan *f) {
-    const struct graze_boundary *b = s->boundary;
-    return &b->cells[b->patches[f->patch].cell];
-}
-
 static size_t apex_of(const sharpening *s, size_t fan_index) {
     return s->boundary->vertices.count + fan_index;
 }
@@ -163,7 +158,7 @@ static size_t neighbour(const sharpening *s, const sample_cell *c, int axis, int
 static int is_joined(rim_run *run, size_t *other, const sharpening *s, const fan *f, int axis,
                      int upper) {
     const size_t *vertex = s->rims + f->first;
-    const sample_cell *c = fan_cell(s, f);
+    const sample_cell *c = s->boundary->cells + s->boundary->patches[f->patch].cell;
     *other = neighbour(s, c, axis, upper);
     if (*other == s->fan_count || !rim_run_at(run, s->boundary, c, vertex, f->count, axis, upper))
         return 0;

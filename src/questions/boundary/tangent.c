@@ -78,13 +78,6 @@ static void body_normal(fmpq *out, const graze_scene *scene, const graze_cell *c
     }
 }
 
-/* Find the parameter u of a time in its piece, exactly if the time is rational. */
-static graze_status parameter_of(fmpq_t u, graze_context *context, const graze_time *time) {
-    TRY(distance_contact_time(u, context, time));
-    motion_parameter_at(u, &time->motion->piece[time->piece], u);
-    return GRAZE_OK;
-}
-
 /* Find the normal that a contact's first cell gives; zero if that gives none. */
 static graze_status contact_normal(fmpq *out, graze_context *context, const graze_scene *scene,
                                    const contact *c, const fmpq *point) {
@@ -94,7 +87,8 @@ static graze_status contact_normal(fmpq *out, graze_context *context, const graz
     LOCAL_VEC(fmpq, body, 3);
     LOCAL_VEC(fmpq, carried, POINT_MAP_ENTRIES);
     LOCAL(fmpq, u);
-    TRY(parameter_of(u, context, c->from));
+    TRY(distance_contact_time(u, context, c->from));
+    motion_parameter_at(u, &c->from->motion->piece[c->from->piece], u);
     body_normal(body, scene, c->cell, map, u, point);
     point_map_at(carried, map, u);
     for (int j = 0; j < d; j++) {

@@ -4,11 +4,9 @@
  */
 #include "questions/certify/certify.h"
 
-#include <flint/fmpz_poly_factor.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "base/number/order.h"
 #include "decide/filter/filter.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
@@ -51,12 +49,7 @@ static graze_status row_no_memory(graze_context *context) {
  * time. Returns 1 if the degree fell. */
 static int find_factor(event *v) {
     slong degree = fmpz_poly_degree(v->q);
-    LOCAL(fmpz_poly_factor, factors);
-    fmpz_poly_factor(factors, v->q);
-    for (slong k = 0; k < factors->num; k++)
-        if (dyadic_sign(factors->p + k, v->known.low, v->known.exponent) !=
-            dyadic_sign(factors->p + k, v->known.high, v->known.exponent))
-            fmpz_poly_set(v->q, factors->p + k);
+    (void)algebraic_factor(v->q, v->q, &v->known);
     v->irreducible = 1;
     return fmpz_poly_degree(v->q) < degree;
 }

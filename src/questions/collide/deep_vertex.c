@@ -5,7 +5,6 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "base/number/order.h"
 #include "decide/filter/filter.h"
 #include "questions/collide/placing.h"
 

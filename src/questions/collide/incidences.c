@@ -5,7 +5,6 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "base/number/order.h"
 #include "base/number/simplest.h"
 #include "questions/collide/near_pairs.h"
 

@@ -9,8 +9,6 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "base/number/order.h"
-#include "base/number/refine.h"
 #include "questions/collide/near_pairs.h"
 
 /* The gap after a first contact begins is examined at 2^-SOON of the way to the interval's end,

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "base/number/sign.h"
 #include "questions/collide/placing.h"
 
 /* Does the motion reverse orientation? Its determinant never vanishes, so one time tells. */

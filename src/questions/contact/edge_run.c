@@ -100,8 +100,7 @@ static void try_stretches(nearby *n, const edge_run *r) {
         if (is_in_contact(r, here))
             nearby_try(n, here);
         if (k > 0) {
-            fmpq_add(half, r->part + k - 1, r->part + k);
-            fmpq_div_2exp(half, half, 1);
+            vector_middle(half, r->part + k - 1, r->part + k, 1);
             vector_between(middle, r->u, r->v, half, 3);
             if (is_in_contact(r, middle))
                 nearby_try_segment(n, before, here);

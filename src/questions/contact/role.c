@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "base/number/dyadic.h"
 #include "base/number/rounding.h"
 #include "decide/trace/trace.h"
 #include "graze/contact.h"
@@ -69,10 +70,7 @@ static void choose_half(fmpq_t half, double extent) {
     if (extent > 0 && extent < INFINITY)
         frexp(extent, &exponent);
     fmpq_one(half);
-    if (exponent >= 3)
-        fmpq_mul_2exp(half, half, (ulong)(exponent - 3));
-    else
-        fmpq_div_2exp(half, half, (ulong)(3 - exponent));
+    rational_shift(half, exponent - 3);
 }
 
 /* Append the planes of the box's sides to the list, which has room for them. */

@@ -7,7 +7,6 @@
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-#include "base/number/order.h"
 #include "decide/trace/trace.h"
 #include "input/motion/motion.h"
 #include "questions/contact/nearby.h"

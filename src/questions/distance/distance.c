@@ -8,7 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "base/number/refine.h"
 #include "base/number/rounding.h"
 #include "decide/scene/scene.h"
 #include "decide/trace/trace.h"

@@ -6,8 +6,6 @@
 #include "base/context/scope.h"
 #include "base/number/bernstein.h"
 #include "base/number/isolate.h"
-#include "base/number/order.h"
-#include "base/number/sign.h"
 #include "questions/envelope/sign_events.h"
 
 static void append_end(algebraic_list *list, slong value) {

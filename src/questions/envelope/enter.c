@@ -8,7 +8,6 @@
  */
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "base/number/sign.h"
 #include "input/validate/validate.h"
 #include "questions/envelope/patch_ends.h"
 

@@ -5,7 +5,6 @@
 #include "base/context/array.h"
 #include "base/context/context.h"
 #include "base/context/scope.h"
-#include "base/number/order.h"
 #include "graze/envelope.h"
 #include "input/soup/soup.h"
 #include "questions/envelope/sign_events.h"

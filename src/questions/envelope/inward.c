@@ -8,7 +8,6 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "base/number/refine.h"
 #include "base/number/vector.h"
 #include "questions/envelope/sign_events.h"
 #include "questions/topo/topo.h"

@@ -9,7 +9,6 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "base/number/sign.h"
 #include "questions/envelope/patch_ends.h"
 
 static graze_status add_patch_place(place_list *list, graze_context *context, int is_edge,

@@ -7,7 +7,6 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "base/number/order.h"
 #include "input/soup/soup.h"
 #include "questions/envelope/patch_ends.h"
 #include "questions/envelope/sign_events.h"

@@ -50,10 +50,6 @@ static part_end end_at(size_t vertex) {
     return (part_end){vertex, SIZE_MAX, SIZE_MAX};
 }
 
-static part_end end_within(size_t edge, size_t facet) {
-    return (part_end){SIZE_MAX, edge, facet};
-}
-
 static graze_status add_point(slice_points *list, graze_context *context, const fmpq *at,
                               part_end end, int d) {
     for (size_t k = 0; k < list->count; k++)
@@ -87,7 +83,7 @@ static graze_status add_zero_within(slice_points *list, graze_context *context, 
     if (fmpq_sgn(g) * fmpq_sgn(g + 1) >= 0)
         return GRAZE_OK;
     vector_zero(zero, vertex_at(s, e->u), vertex_at(s, e->v), g, g + 1, d);
-    return add_point(list, context, zero, end_within(edge, facet), d);
+    return add_point(list, context, zero, (part_end){SIZE_MAX, edge, facet}, d);
 }
 
 /* Add a vertex if g of the facet is 0 there, else set *off. */

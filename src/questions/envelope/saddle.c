@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "input/soup/soup.h"
 #include "questions/envelope/patch_ends.h"
 #include "questions/topo/topo.h"
@@ -27,7 +28,7 @@ static int span_plane(fmpz *normal, const cell_complex *c, size_t vertex, size_t
     int swap = cell_compare(&c->edge[first].name, &c->edge[second].name) > 0;
     ray_of(ray, c, swap ? second : first, vertex);
     ray_of(ray + 3, c, swap ? first : second, vertex);
-    directions_cross(normal, ray, ray + 3);
+    integers_cross(normal, ray, ray + 3);
     int found = !_fmpz_vec_is_zero(normal, 3);
     cell_span facets = cells_of(&c->vertex_facets, vertex);
     for (size_t j = 0; j < facets.count; j++)

@@ -2,7 +2,6 @@
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "base/number/order.h"
 #include "base/number/random.h"
 #include "decide/bounds/bounds.h"
 #include "questions/envelope/patch_ends.h"

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "base/number/dyadic.h"
 #include "questions/generate/charts.h"
 
 /* Parameters of flats are drawn as multiples of 1/256 of the box's sides; lines through a zero of a
@@ -154,17 +155,7 @@ static void side_size(fmpq_t out, const fmpq_t low, const fmpq_t high) {
     fmpq_sub(out, high, low);
     slong bits = (slong)fmpz_bits(fmpq_numref(out)) - (slong)fmpz_bits(fmpq_denref(out)) - 1;
     fmpq_one(out);
-    if (bits >= 0)
-        fmpq_mul_2exp(out, out, (ulong)bits);
-    else
-        fmpq_div_2exp(out, out, (ulong)-bits);
-}
-
-/* Draw a component of a direction. Components of kind 0 are -1, 0 or 1, so that points with short
- * coordinates are found too. */
-static slong draw_component(random_stream *r, size_t kind) {
-    return kind == 0 ? (slong)random_below(r, 3) - 1
-                     : (slong)random_below(r, 2 * REACH + 1) - REACH;
+    rational_shift(out, bits);
 }
 
 int chart_draw(fmpq *point, const chart *from, random_stream *r, const csg_box *in) {
@@ -176,7 +167,9 @@ int chart_draw(fmpq *point, const chart *from, random_stream *r, const csg_box *
         int axis = from->place.axis[j];
         if (from->bent) {
             side_size(v + j, in->low + axis, in->high + axis);
-            fmpq_mul_si(v + j, v + j, draw_component(r, kind));
+            /* by kind 0, points with short coordinates are found too */
+            slong reach = kind == 0 ? 1 : REACH;
+            fmpq_mul_si(v + j, v + j, (slong)random_below(r, (size_t)(2 * reach + 1)) - reach);
         } else {
             fmpq_sub(v + j, in->high + axis, in->low + axis);
             fmpq_set_si(s + j, (slong)random_below(r, PARTS + 1), PARTS);

@@ -9,7 +9,6 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "base/number/order.h"
 #include "base/number/vector.h"
 #include "decide/curved/curved.h"
 #include "decide/scene/scene.h"
@@ -290,7 +289,7 @@ graze_status curved_contact(int *made, sample *out, fmpq *normal, graze_context 
     HELD(touchpoint, p, context, g);
     *made = draw_touch(&p, stratum, r);
     if (*made) {
-        instant_move(out->point, p.when, p.y);
+        affine_image(out->point, p.when->map, p.y, p.when->dimension);
         *made = out->made.stratum == GRAZE_STRATUM_ROUNDED || sample_is_kept(out, g);
     }
     if (*made) {

@@ -70,9 +70,7 @@ static void carry(instant *i, const point_map *tracing, const point_map *placing
 /* Set doubles to the numbers, all scaled by one power of 2; returns 0 if a number is too small
  * beside the largest. */
 static int scale_to_doubles(double *out, const fmpz *numbers, int count) {
-    slong largest = 0, exponent;
-    for (int k = 0; k < count; k++)
-        largest = (slong)fmpz_bits(numbers + k) > largest ? (slong)fmpz_bits(numbers + k) : largest;
+    slong largest = FLINT_ABS(_fmpz_vec_max_bits(numbers, count)), exponent;
     for (int k = 0; k < count; k++) {
         double mantissa = fmpz_get_d_2exp(&exponent, numbers + k);
         if (mantissa != 0 && exponent - largest < -900)
@@ -109,15 +107,6 @@ void instant_clear(instant *i) {
     _fmpz_vec_clear(i->inverse, (d + 1) * (d + 1));
     for (int k = 0; k < INSTANT_DERIVATIVES; k++)
         _fmpz_vec_clear(i->carried[k], (d + 1) * (d + 1));
-}
-
-void instant_move(fmpq *out, const instant *i, const fmpq *y) {
-    int d = i->dimension;
-    for (int row = 0; row < d; row++) {
-        fmpq_set(out + row, i->map + row * (d + 1) + d);
-        for (int j = 0; j < d; j++)
-            fmpq_addmul(out + row, i->map + row * (d + 1) + j, y + j);
-    }
 }
 
 /* Entry j of a row vector times a square matrix. */

@@ -7,6 +7,7 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
+#include "base/number/dyadic.h"
 #include "base/number/rounding.h"
 #include "base/number/vector.h"
 #include "decide/scene/scene.h"
@@ -41,26 +42,13 @@ static graze_status draw_length(double *out, graze_context *context, int decade,
     return rational_nearest(out, context, length);
 }
 
-/* The number of binary places of points that are displaced by a length. */
-static long places_for(double length) {
-    int exponent;
-    (void)frexp(length, &exponent);
-    return PLACE_BITS - exponent;
-}
-
 /* Round down to `places` binary places. */
 static void round_to_places(fmpq_t x, long places) {
     LOCAL(fmpz, whole);
-    if (places >= 0)
-        fmpq_mul_2exp(x, x, (ulong)places);
-    else
-        fmpq_div_2exp(x, x, (ulong)-places);
+    rational_shift(x, places);
     fmpz_fdiv_q(whole, fmpq_numref(x), fmpq_denref(x));
     fmpq_set_fmpz(x, whole);
-    if (places >= 0)
-        fmpq_div_2exp(x, x, (ulong)places);
-    else
-        fmpq_mul_2exp(x, x, (ulong)-places);
+    rational_shift(x, -places);
 }
 
 /* Move a point by about `length` along a direction and round it; the distance is computed
@@ -76,10 +64,12 @@ static graze_status move_along(fmpq *point, graze_context *context, const fmpq *
         TRY(rational_nearest(&n[i], context, part));
         size += n[i] * n[i];
     }
+    int exponent;
+    (void)frexp(length, &exponent);
     for (int i = 0; i < d; i++) {
         TRY(rational_from_double(part, context, n[i] / sqrt(size) * length));
         fmpq_add(point + i, point + i, part);
-        round_to_places(point + i, places_for(length));
+        round_to_places(point + i, PLACE_BITS - exponent);
     }
     return GRAZE_OK;
 }

@@ -54,14 +54,6 @@ static graze_status point_neighbours(neighbours *out, graze_context *context, co
     return GRAZE_OK;
 }
 
-/* Set coordinate i of a point to high[i] if bit i of `choice` is 1, else to low[i]. */
-static graze_status choose_neighbours(fmpq *point, graze_context *context, const neighbours *n,
-                                      size_t choice) {
-    for (int i = 0; i < n->d; i++)
-        TRY(rational_from_double(point + i, context, choice >> i & 1 ? n->high[i] : n->low[i]));
-    return GRAZE_OK;
-}
-
 /* Go through the choices from a random one on until the point is on the wanted side; if none is,
  * the last choice is kept. */
 static graze_status take_side(sample *out, graze_context *context, const struct graze_generator *g,
@@ -71,7 +63,9 @@ static graze_status take_side(sample *out, graze_context *context, const struct 
     out->made.pmc = GRAZE_ON;
     for (size_t k = 0; k < choices && (k == 0 || out->made.pmc != wanted); k++) {
         graze_verdict found;
-        TRY(choose_neighbours(out->point, context, n, (first + k) % choices));
+        for (int i = 0; i < n->d; i++)
+            TRY(rational_from_double(out->point + i, context,
+                                     (first + k) % choices >> i & 1 ? n->high[i] : n->low[i]));
         TRY(classify_verdict(&found, context, g->scene, (query_point){.rational = out->point}));
         out->made.pmc = found.pmc;
     }

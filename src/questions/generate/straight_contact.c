@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "decide/bounds/bounds.h"
 #include "decide/trace/trace.h"
 #include "input/motion/motion.h"
@@ -82,15 +83,11 @@ static void corner_pullbacks(fmpq *out, const touchpoint *p, const struct graze_
     int d = p->when->dimension;
     LOCAL_VEC(fmpz, form, 2 * (d + 1));
     fmpz *plane = form + d + 1;
-    LOCAL(fmpq, term);
     (void)solid_plane(plane, g->scene->solid, p->simplex);
     instant_pullback(form, p->when, plane, k);
     for (int c = 0; c < d; c++) {
-        fmpq_set_fmpz(out + c, form + d);
-        for (int j = 0; j < d; j++) {
-            fmpq_mul_fmpz(term, simplex_corner(g, p->simplex, c) + j, form + j);
-            fmpq_add(out + c, out + c, term);
-        }
+        vector_dot_integers(out + c, form, simplex_corner(g, p->simplex, c), d);
+        fmpq_add_fmpz(out + c, out + c, form + d);
     }
 }
 
@@ -254,7 +251,7 @@ int straight_contact(sample *out, fmpq *normal, const struct graze_generator *g,
     touchpoint p = {.y = y};
     int made = draw_contact(&p, g, stratum, r);
     if (made) {
-        instant_move(out->point, p.when, p.y);
+        affine_image(out->point, p.when->map, p.y, p.when->dimension);
         out->made.order = order_at(g, &p, out->point);
         size_t names;
         graze_cell cell = solid_cell(g->scene->solid, p.simplex, p.zero);

@@ -22,9 +22,6 @@
 void instant_init(instant *i, const graze_scene *scene, size_t piece, const fmpq_t u);
 void instant_clear(instant *i);
 
-/** P = M(u) y. */
-void instant_move(fmpq *out, const instant *i, const fmpq *y);
-
 /**
  * The derivative of order k of the pullback of a plane form along the trajectory of P = M(u) y, at
  * u, as a form in (y, 1) and times a positive number that depends on the instant and k alone.

@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "decide/bounds/bounds.h"
 #include "decide/filter/filter.h"
 #include "decide/lattice/lattice.h"
@@ -67,12 +68,9 @@ static graze_status begin_flat(flat *f, graze_context *context, const cube *c,
 
 /* The sign of a linear form at a point. */
 static int side_of_form(const fmpz *form, const fmpq *point) {
-    LOCAL_VEC(fmpq, sum, 2);
-    fmpq_set_fmpz(sum, form + 3);
-    for (int i = 0; i < 3; i++) {
-        fmpq_mul_fmpz(sum + 1, point + i, form + i);
-        fmpq_add(sum, sum, sum + 1);
-    }
+    LOCAL(fmpq, sum);
+    vector_dot_integers(sum, form, point, 3);
+    fmpq_add_fmpz(sum, sum, form + 3);
     return fmpq_sgn(sum);
 }
 

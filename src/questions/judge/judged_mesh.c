@@ -42,14 +42,6 @@ static graze_mesh_rule rule_of(const loose_edges *open) {
                                     : GRAZE_MESH_WINDING;
 }
 
-/* The integral of the winding number is the sum of the signed tetrahedra that the origin makes with
- * the triangles (proofs/mesh.md C115). */
-static void find_volume(judged_mesh *m) {
-    skin s = judged_skin(m);
-    add_tetrahedra(m->volume, &s, 0, m->cut.count);
-    fmpq_div_fmpz(m->volume, m->volume, (fmpz[]){6});
-}
-
 graze_status judged_mesh_make(judged_mesh *out, graze_context *context, const soup *input,
                               unsigned flags) {
     memset(out, 0, sizeof *out);
@@ -61,8 +53,13 @@ graze_status judged_mesh_make(judged_mesh *out, graze_context *context, const so
     TRY(skin_tree(&out->boxes, context, &bare));
     TRY(corners_make(&out->corners, context, input, &out->cut, out->low, out->high));
     out->rule = rule_of(&out->open);
-    if (out->rule == GRAZE_MESH_WINDING)
-        find_volume(out);
+    if (out->rule == GRAZE_MESH_WINDING) {
+        /* The integral of the winding number is the sum of the signed tetrahedra that the origin
+         * makes with the triangles (proofs/mesh.md C115). */
+        skin all = judged_skin(out);
+        add_tetrahedra(out->volume, &all, 0, out->cut.count);
+        fmpq_div_fmpz(out->volume, out->volume, (fmpz[]){6});
+    }
     return context_poll(context);
 }
 

@@ -8,7 +8,6 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "base/number/order.h"
 #include "base/number/vector.h"
 #include "questions/outline/arcs.h"
 

@@ -7,7 +7,6 @@
 #include "base/context/scope.h"
 #include "base/number/bernstein.h"
 #include "base/number/isolate.h"
-#include "base/number/order.h"
 #include "base/number/rounding.h"
 #include "base/number/vector.h"
 #include "decide/trace/trace.h"

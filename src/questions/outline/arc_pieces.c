@@ -6,8 +6,6 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "base/number/order.h"
-#include "base/number/sign.h"
 #include "questions/outline/arc_complex.h"
 
 algebraic *piece_end(const graze_outline *o, const outline_piece *p, int end) {

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "base/number/order.h"
 #include "questions/outline/arc_complex.h"
 
 graze_status outline_point_make(const graze_outline *o, graze_context *context, outline_point *p) {

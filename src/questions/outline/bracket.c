@@ -3,7 +3,6 @@
 #include "questions/outline/bracket.h"
 
 #include "base/context/scope.h"
-#include "base/number/refine.h"
 
 void bracket_init(bracket *x) {
     fmpz_init(x->low);

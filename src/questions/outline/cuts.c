@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "base/number/order.h"
 #include "questions/outline/arcs.h"
 
 /* A curve that is being cut. */

@@ -7,7 +7,6 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "base/number/order.h"
 #include "base/number/vector.h"
 #include "decide/verdict/verdict.h"
 #include "questions/outline/arc_complex.h"

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "base/number/order.h"
 #include "base/number/vector.h"
 #include "questions/outline/arc_complex.h"
 

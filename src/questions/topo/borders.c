@@ -13,6 +13,7 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "questions/topo/cover.h"
 
 void borders_init(borders *b, int dimension) {
@@ -85,12 +86,12 @@ static graze_status add_swept_edges(borders *b, graze_context *context, germ *g,
     for (size_t i = 0; i < g->cone.count; i++)
         for (size_t j = 0; j < i; j++) {
             graze_state state[2] = {GRAZE_STATE_O, GRAZE_STATE_O};
-            directions_cross(ray, g->cone.normal + 3 * i, g->cone.normal + 3 * j);
+            integers_cross(ray, g->cone.normal + 3 * i, g->cone.normal + 3 * j);
             for (int k = 0; k < 2; k++) {
                 TRY(cone_state(&state[k], &g->cone, context, ray));
                 _fmpz_vec_neg(ray, ray, d);
             }
-            directions_cross(normal, e, ray);
+            integers_cross(normal, e, ray);
             if (state[0] == GRAZE_STATE_B || state[1] == GRAZE_STATE_B)
                 TRY(add_body_border(b, context, g, normal));
         }
@@ -106,8 +107,8 @@ static graze_status add_germ_borders(borders *b, graze_context *context, germ *g
         TRY(add_swept_edges(b, context, g, side->e));
         if (!side->has_later)
             continue;
-        directions_cross(normal, side->e,
-                         side->later); /* normal of the plane along the edge and `later` */
+        integers_cross(normal, side->e,
+                       side->later); /* normal of the plane along the edge and `later` */
         TRY(add_body_border(b, context, g, normal));
     }
     return GRAZE_OK;
@@ -130,7 +131,7 @@ static graze_status add_rays(borders *b, graze_context *context, size_t i, size_
     if (d == 2)
         turn_quarter(ray, b->plane + i * 2);
     else
-        directions_cross(ray, b->plane + i * 3, b->plane + j * 3);
+        integers_cross(ray, b->plane + i * 3, b->plane + j * 3);
     direction_reduce(ray, d);
     for (int k = 0; k < 2; k++) {
         TRY(add_vector(&b->ray, &b->ray_count, &b->ray_capacity, context, ray, d));
@@ -191,7 +192,7 @@ static graze_status keep_planes_through(borders *b, graze_context *context, cons
     for (int i = 0; i < 3; i++) {
         _fmpz_vec_zero(axis, 3);
         fmpz_one(axis + i);
-        directions_cross(normal, direction, axis);
+        integers_cross(normal, direction, axis);
         TRY(add_border(b, context, normal));
     }
     return GRAZE_OK;
@@ -238,7 +239,7 @@ static void step_from_ray(fmpz *out, const borders *b, const fmpz *v, const fmpz
 static int turn_about_ray(const fmpz *v, const fmpz *a, const fmpz *b) {
     LOCAL_VEC(fmpz, cross, 3);
     LOCAL(fmpz, det);
-    directions_cross(cross, a, b);
+    integers_cross(cross, a, b);
     _fmpz_vec_dot(det, cross, v, 3);
     return fmpz_sgn(det);
 }
@@ -262,7 +263,7 @@ static size_t directions_across(fmpz *out, const borders *b, const fmpz *v) {
         _fmpz_vec_dot(at, b->plane + 3 * p, v, 3);
         if (!fmpz_is_zero(at))
             continue;
-        directions_cross(out + 3 * count, v, b->plane + 3 * p);
+        integers_cross(out + 3 * count, v, b->plane + 3 * p);
         _fmpz_vec_neg(out + 3 * (count + 1), out + 3 * count, 3);
         count += 2;
     }

@@ -28,13 +28,6 @@ static int plane_holds_point(const local_cone *cone, size_t plane) {
     return found;
 }
 
-/* Raise `nearest` for a plane that misses the point; `value` is that of the plane's form at the
- * point. */
-static void note_distance(local_cone *cone, const fmpz_t value, const fmpz *normal) {
-    slong bits = FLINT_ABS(_fmpz_vec_max_bits(normal, cone->dimension));
-    cone->nearest = FLINT_MAX(cone->nearest, bits + 3 - (slong)fmpz_bits(value));
-}
-
 graze_status cone_make(local_cone *cone, graze_context *context, const graze_solid *solid,
                        int outside, const plane_list *planes, const fmpz *at) {
     slong d = planes->dimension;
@@ -50,8 +43,9 @@ graze_status cone_make(local_cone *cone, graze_context *context, const graze_sol
     for (size_t p = 0; p < planes->count; p++) {
         const fmpz *form = planes->form + p * (size_t)(d + 1);
         _fmpz_vec_dot(value, form, at, d + 1);
+        slong bits = FLINT_ABS(_fmpz_vec_max_bits(form, d)) + 3 - (slong)fmpz_bits(value);
         if (!fmpz_is_zero(value))
-            note_distance(cone, value, form);
+            cone->nearest = FLINT_MAX(cone->nearest, bits);
         else if (plane_holds_point(cone, p))
             _fmpz_vec_set(cone->normal + cone->count++ * (size_t)d, form, d);
     }

@@ -9,17 +9,9 @@
 #include "questions/topo/cover.h"
 #include "questions/topo/near.h"
 
-void directions_cross(fmpz *out, const fmpz *a, const fmpz *b) {
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        fmpz_mul(out + i, a + j, b + k);
-        fmpz_submul(out + i, a + k, b + j);
-    }
-}
-
 int directions_parallel(const fmpz *a, const fmpz *b) {
     LOCAL_VEC(fmpz, cross, 3);
-    directions_cross(cross, a, b);
+    integers_cross(cross, a, b);
     return _fmpz_vec_is_zero(cross, 3);
 }
 
@@ -36,8 +28,8 @@ void directions_basis(fmpz *h, fmpz *k, const fmpz *v) {
     while (fmpz_is_zero(v + i))
         i++;
     fmpz_one(axis + (i + 1) % 3);
-    directions_cross(h, v, axis);
-    directions_cross(k, v, h);
+    integers_cross(h, v, axis);
+    integers_cross(k, v, h);
 }
 
 void direction_reduce(fmpz *v, slong n) {
@@ -87,7 +79,7 @@ void direction_span_add(direction_span *s, const fmpz *v) {
         s->rank = 1;
     } else if (s->rank == 1 && !directions_parallel(s->basis, v)) {
         _fmpz_vec_set(s->basis + 3, v, 3);
-        directions_cross(cross, s->basis, v);
+        integers_cross(cross, s->basis, v);
         s->rank = 2;
     } else if (s->rank == 2) {
         _fmpz_vec_dot(volume, cross, v, 3);

@@ -5,6 +5,7 @@
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "questions/topo/cover.h"
 #include "questions/topo/near.h"
 
@@ -37,7 +38,7 @@ static graze_status look_about(int *out, germ *g, graze_context *context, const 
 static void direction_of_edge(fmpz *out, const local_cone *cone) {
     _fmpz_vec_zero(out, 3);
     for (size_t j = 1; j < cone->count && _fmpz_vec_is_zero(out, 3); j++)
-        directions_cross(out, cone->normal, cone->normal + 3 * j);
+        integers_cross(out, cone->normal, cone->normal + 3 * j);
 }
 
 /* Set `edge_way`: does every line or plane parallel to e and the cell, but the one through the
@@ -55,7 +56,7 @@ static graze_status find_edge_way(germ *g, germ_side *side, graze_context *conte
         fmpz_set(normal + 1, side->e);
     } else {
         direction_of_edge(edge, &g->cone);
-        directions_cross(normal, edge, side->e);
+        integers_cross(normal, edge, side->e);
     }
     return look_to_both_sides(&side->edge_way, g, context, normal, side->e);
 }

@@ -7,6 +7,7 @@
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
@@ -84,13 +85,6 @@ typedef struct hint_maker {
     int found;
 } hint_maker;
 
-static void divide_2exp(fmpq_t x, slong places) {
-    if (places < 0)
-        fmpq_mul_2exp(x, x, (ulong)-places);
-    else
-        fmpq_div_2exp(x, x, (ulong)places);
-}
-
 /* Is the place P + r v + r^2 w / 8 out, with r about 2^-places times the solid's width, for v and w
  * scaled to a length of about 1? */
 static graze_status try_place(hint_maker *m, const fmpz *v, const fmpz *w, ulong places) {
@@ -100,8 +94,8 @@ static graze_status try_place(hint_maker *m, const fmpz *v, const fmpz *w, ulong
     for (int k = 0; k < 3; k++) {
         fmpq_set_fmpz(step, v + k);
         fmpq_set_fmpz(bend, w + k);
-        divide_2exp(step, down + FLINT_ABS(_fmpz_vec_max_bits(v, 3)));
-        divide_2exp(bend, 2 * down + FLINT_ABS(_fmpz_vec_max_bits(w, 3)) + 3);
+        rational_shift(step, -down - FLINT_ABS(_fmpz_vec_max_bits(v, 3)));
+        rational_shift(bend, -2 * down - FLINT_ABS(_fmpz_vec_max_bits(w, 3)) - 3);
         fmpq_add(step, step, bend);
         fmpq_add(m->out + k, m->point + k, step);
     }
@@ -134,8 +128,8 @@ static graze_status look_about_point(hint_maker *m, const topo_finding *topo, ul
         fmpz_set_si(v, k % 3 - 1);
         fmpz_set_si(v + 1, k / 3 % 3 - 1);
         fmpz_set_si(v + 2, k / 9 - 1);
-        directions_cross(other, normal, v);
-        directions_cross(in_plane, normal, other);
+        integers_cross(other, normal, v);
+        integers_cross(in_plane, normal, other);
         if (!_fmpz_vec_is_zero(v, 3))
             TRY(look_along_both(m, v, normal, places));
         if (!m->found && !_fmpz_vec_is_zero(in_plane, 3))

@@ -13,7 +13,6 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "base/number/order.h"
 #include "decide/filter/filter.h"
 #include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
@@ -40,10 +39,6 @@ static void clear_germ(germ *g) {
         fmpz_clear(g->side[i / 3].e + i % 3);
         fmpz_clear(g->side[i / 3].later + i % 3);
     }
-}
-
-static void germs_drop_last(germ_list *list) {
-    clear_germ(&list->item[--list->count]);
 }
 
 void germ_list_clear(germ_list *list) {
@@ -155,7 +150,7 @@ static graze_status add_root(germ_maker *m, const algebraic *time, const fmpz_po
     TRY(germs_append(&g, m->list, m->at.context, m->at.map));
     TRY(root_set_germ(&found, g, &m->at, time, minimal));
     if (!found) {
-        germs_drop_last(m->list);
+        clear_germ(&m->list->item[--m->list->count]);
         germs_leave_open(m->list, "a contact at an irrational time is not looked at");
     }
     return GRAZE_OK;

@@ -188,11 +188,6 @@ static int is_along_plane(const open_plane *h, const germ *g) {
     return directions_parallel(across, h->normal);
 }
 
-/* Has the germ two sides, of odd order? */
-static int is_inner_of_odd_order(const germ *g) {
-    return g->side_count == 2 && g->side[0].order % 2 == 1;
-}
-
 /* Set the order and the form that a way gives; returns 0 if the way gives no form. */
 static int form_of_germ(half_germ *out, const open_plane *h, const germ *g, int way) {
     int cell = g->root || !g->has_time ? 0 : cone_cell_dimension(&g->cone);
@@ -203,7 +198,7 @@ static int form_of_germ(half_germ *out, const open_plane *h, const germ *g, int 
     out->order = 1;
     if (cell == 2 && is_along_plane(h, g))
         return way == 0 || (!turned && form_of_facet(out, h, g, &g->side[s]));
-    if (cell != 1 || (way == 0) != is_inner_of_odd_order(g))
+    if (cell != 1 || (way == 0) != (g->side_count == 2 && g->side[0].order % 2 == 1))
         return 0;
     while (directions_parallel(g->cone.normal, g->cone.normal + 3 * other))
         other++;

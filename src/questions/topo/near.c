@@ -18,7 +18,6 @@
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "base/number/order.h"
 #include "decide/scene/scene.h"
 #include "decide/surfaces/surfaces.h"
 #include "questions/topo/cover.h"

@@ -13,7 +13,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "base/number/sign.h"
 #include "decide/bounds/bounds.h"
 #include "decide/filter/filter.h"
 #include "decide/scene/scene.h"
@@ -206,10 +205,7 @@ static void set_first_reach(fmpq_t reach, const graze_solid *solid, const fmpz *
     slong places = FLINT_ABS(_fmpz_vec_max_bits(direction, d)) - exponent;
     places += solid->cut.count > FEW_FACETS ? NEARER_PLACES : 0;
     fmpq_one(reach);
-    if (places > 0)
-        fmpq_div_2exp(reach, reach, (ulong)places);
-    else
-        fmpq_mul_2exp(reach, reach, (ulong)-places);
+    rational_shift(reach, -places);
 }
 
 graze_status ray_find_reach(int *found, fmpq_t reach, graze_context *context,

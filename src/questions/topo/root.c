@@ -9,11 +9,9 @@
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_poly.h>
 #include <flint/fmpq_vec.h>
-#include <flint/fmpz_poly_factor.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "base/number/sign.h"
 #include "questions/topo/cover.h"
 #include "questions/topo/eliminate.h"
 #include "questions/topo/near.h"
@@ -22,17 +20,8 @@
 enum { FACTORED_DEGREE = 60 };
 
 int root_find_minimal(fmpz_poly_t out, const algebraic *time) {
-    int found = 0;
-    if (fmpz_poly_degree(time->poly) > FACTORED_DEGREE)
-        return 0;
-    LOCAL(fmpz_poly_factor, factors);
-    fmpz_poly_factor(factors, time->poly);
-    for (slong k = 0; k < factors->num && !found; k++) {
-        found = algebraic_sign_before(factors->p + k, &time->where) != 0;
-        if (found)
-            fmpz_poly_set(out, factors->p + k);
-    }
-    return found;
+    return fmpz_poly_degree(time->poly) <= FACTORED_DEGREE &&
+           algebraic_factor(out, time->poly, &time->where) != 0;
 }
 
 int root_is_rational(fmpq_t out, const fmpz_poly_t minimal) {

@@ -17,8 +17,6 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "base/number/order.h"
-#include "base/number/sign.h"
 #include "questions/topo/cover.h"
 #include "questions/topo/near.h"
 

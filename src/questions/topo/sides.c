@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "decide/trace/trace.h"
 #include "input/motion/motion.h"
 #include "questions/topo/cover.h"
@@ -108,7 +109,7 @@ int edge_keeps_direction(const germ *g, const point_map *map) {
     LOCAL(fmpz_poly, p);
     for (size_t j = 0; j < 2; j++)
         germ_normal_about(world + 3 * (j + 1), g, g->cone.normal + 3 * j);
-    directions_cross(world, world + 3, world + 6);
+    integers_cross(world, world + 3, world + 6);
     for (size_t j = 0; j < g->cone.count && keeps; j++) {
         signs_pull_back(p, map, g->cone.normal + 3 * j, world);
         keeps = fmpz_poly_is_zero(p);

@@ -10,8 +10,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "base/number/order.h"
-#include "base/number/sign.h"
 #include "input/motion/motion.h"
 #include "questions/topo/cover.h"
 

@@ -12,6 +12,7 @@
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "decide/bounds/bounds.h"
 #include "decide/scene/scene.h"
 #include "decide/surfaces/surfaces.h"
@@ -71,12 +72,6 @@ static int find_kernel(fmpz *out, const germ_list *list, const fmpz *step, const
     if (found)
         _fmpz_vec_set(out, s.basis + 6, 3);
     return found;
-}
-
-/* Find a direction about the point that is parallel to all planes of all contacts' cones at all
- * times of their pieces; returns 0 if there is none. The list must be bounded. */
-static int invariant_direction(fmpz *out, const germ_list *list) {
-    return find_kernel(out, list, NULL, NULL);
 }
 
 /* Find a direction parallel to all planes of all contacts' cones but the ones with the normal
@@ -194,7 +189,7 @@ static graze_status find_invariant(fmpz *out, fmpz *step, graze_context *context
     HELD(germ_list, germs);
     TRY(germs_find(&germs, context, scene, planes, point));
     if (!germs.bounded ||
-        (!invariant_direction(out, &germs) && !invariant_beside_step(out, step, &germs, point)))
+        (!find_kernel(out, &germs, NULL, NULL) && !invariant_beside_step(out, step, &germs, point)))
         _fmpz_vec_zero(out, 3);
     return GRAZE_OK;
 }
@@ -203,7 +198,7 @@ static graze_status find_invariant(fmpz *out, fmpz *step, graze_context *context
 static int crosses(const fmpz *along, const fmpz *direction) {
     LOCAL_VEC(fmpz, normal, 3);
     LOCAL(fmpz, product);
-    directions_cross(normal, along, along + 3);
+    integers_cross(normal, along, along + 3);
     _fmpz_vec_dot(product, normal, direction, 3);
     return !fmpz_is_zero(product);
 }

@@ -5,8 +5,6 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "base/number/refine.h"
-#include "base/number/sign.h"
 #include "decide/trace/trace.h"
 #include "input/solid/solid.h"
 #include "questions/topo/near.h"

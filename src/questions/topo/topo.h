@@ -286,9 +286,6 @@ void plane_stack_add(plane_stack *p, fmpq *x, const fmpz *form);
 
 /* Directions, as vectors of integers. */
 
-/** out = a x b in E^3; `out` is neither. */
-void directions_cross(fmpz *out, const fmpz *a, const fmpz *b);
-
 /** In E^3: is one vector a multiple of the other? */
 int directions_parallel(const fmpz *a, const fmpz *b);
 
