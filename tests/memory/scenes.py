@@ -201,6 +201,8 @@ def make(graze, folder):
     yield Scene("collide-turn", ["collide", cube, turn, cube, "--inside", "--first"], 1)
     yield Scene("collide-2", ["collide", u, roll, u], 1)
     yield Scene("collide-round", ["collide", at["ball3.csg.json"], turn, cube, "--clearance", "1/3"], 1)
+    yield Scene("collide-closest", ["collide", at["ball3.csg.json"], turn, "far.csg.json", "--closest", "4", "--motion-of-fixed", turn],
+                files={"far.csg.json": b'{"dimension": 3, "solid": {"ball": {"center": [9, 0, 0], "radius": 1}}}'})
     yield Scene("outline", ["outline", u, roll, "--operation", "unsweep", "--arcs", "a.csv", "--format", "json"], tables=("a.csv",))
     yield Scene("judge", ["judge", cube, turn, cube, "--within", "1r", "--count", "3", "--vertices", "v.csv"], tables=("v.csv",),
                 spared=NUMBERS)

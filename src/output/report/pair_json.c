@@ -80,7 +80,7 @@ static void put_closest(json_writer *w, const graze_pair *pair) {
         if (!side)
             json_open(w, NULL, '[');
         for (int i = 0; i < pair->pair.motion->dimension; i++)
-            json_double(w, NULL, c->at[side][i]);
+            json_double(w, NULL, c->at[3 * side + i]);
         json_ends(w, side ? "]]" : "]");
     }
     json_bool(w, "wide", c->wide);

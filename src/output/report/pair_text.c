@@ -134,7 +134,7 @@ static void tell_closest(text *t, const graze_pair *pair) {
     tell_pair_time(t, c->time);
     for (int side = 0; side < 2 && c->placed; side++) {
         for (int i = 0; i < pair->pair.motion->dimension; i++)
-            text_format(t, "%s%.17g", i ? ", " : side ? " and (" : ": (", c->at[side][i]);
+            text_format(t, "%s%.17g", i ? ", " : side ? " and (" : ": (", c->at[3 * side + i]);
         text_put(t, side ? ") of FIXED" : ") of MOVING");
     }
     text_put(t, c->wide ? ", wide\n" : "\n");

@@ -152,7 +152,7 @@ static void set_near_places(graze_closest *c, placing *p, const approach *a,
     for (int i = 0; i < d; i++) {
         double x[2] = {fmpq_get_d(point + i), fmpq_get_d(point + 3 + i)};
         for (int side = 0; side < 2; side++)
-            c->at[side][i] = x[side] + share[side] * (x[!side] - x[side]);
+            c->at[3 * side + i] = x[side] + share[side] * (x[!side] - x[side]);
     }
     c->placed = 1;
 }
