@@ -59,8 +59,6 @@ WHOLE = {"case", "i", "t", "k", "first_piece", "last_piece", "first_row", "last_
 REAL = {"sdf_low", "sdf_high", "boundary_low", "first_near", "last_near"}
 CODES = ("definition", "case", "i", "t")  # numbers in 32 bits of an npy array; 0 for ext and for nothing
 BRACKET = [os.path.join(ROOT, "cases", "bracket", name) for name in ("solid.off", "motion.json", "points.csv")]
-# Between them these ask every set of the table of columns.
-ALL_SETS = (["--sdf", "1e-6r", "--boundary-distance", "--motion-error", "1e-9", "--moments", "--topo"], ["--operation", "unsweep", "--topo", "--regular"])
 
 
 class Failure(Exception):
@@ -84,13 +82,21 @@ def meanings():
     return found
 
 
+def column_options():
+    """Words of two runs, of a sweep and of an unsweep, that between them ask for every column of the page's table of options."""
+    with open(FORMATS, encoding="utf-8") as file:
+        rows = re.findall(r"^\| `(--[a-z-]+)( [A-Z]+)?` \| `\w+`.*?`# [^|]*\| (.*?) \|", file.read(), re.M)
+    words = [("unsweep" in beside, [option, *(["1e-6r" if option == "--sdf" else "1e-9"] if argument else [])]) for option, argument, beside in rows]
+    return [word for of_unsweep, more in words if not of_unsweep for word in more], ["--operation", "unsweep", *(word for _, more in words for word in more)]
+
+
 def written_columns(graze):
     """Names of the columns that graze writes, in order, each with the options of the run that has it."""
     found = {}
     with tempfile.TemporaryDirectory() as folder:
         with open(os.path.join(folder, "rows.json"), "w", encoding="ascii") as file:  # a piece with rows of a log
             file.write('{"dimension": 3, "pieces": [{"t": [0, 1], "row": 1, "transform": {"translate": ["t", 0, 0]}}]}')
-        for words in ALL_SETS:
+        for words in column_options():
             done = subprocess.run([graze, "classify", BRACKET[0], os.path.join(folder, "rows.json"), BRACKET[2], "--quiet", *words],
                                   stdout=subprocess.PIPE, text=True, check=True)
             for name in next(line for line in done.stdout.splitlines() if not line.startswith("#")).split(","):

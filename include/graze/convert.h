@@ -113,11 +113,15 @@ typedef struct graze_pose_options {
     const char *columns; /**< NAME=COLUMN,...: the file's COLUMN is read as NAME; NULL: columns have
                              the names of the file */
     const char *angles;  /**< the convention of three angles in degrees: "kuka", "fanuc", "staubli",
-                              "kawasaki", "cnc" or "rpy"; NULL: there are no angles */
+                              "kawasaki", "cnc" or "rpy", or of one in radians about z: "theta";
+                              NULL: there are no angles, in the plane but theta */
+    int dimension; /**< 0 or 3: a motion in E^3; 2: one in E^2, of the poses without z. What turns
+                        out of the plane is left out where no entry of a matrix changes by more
+                        than `tolerance`, else refused. z, qx, qy and angles may be left out */
 } graze_pose_options;
 
 /**
- * Make a motion file in E^3 through poses, as graze_motion_write_poses does, with more options.
+ * Make a motion file through poses, as graze_motion_write_poses does, with more options.
  * Columns may have the names of other programs too, such as timestamp, tx or position.x. Instead of
  * a quaternion a row may give the axis of a tool, i, j, k (the least rotation from (0, 0, 1) is
  * taken), or three angles, or no orientation (formats.md, Lists of poses). Commas, semicolons or

@@ -127,3 +127,10 @@ graze_status graze_pair_json(char **out, graze_context *context, const graze_pai
     pair_json(&t, pair);
     return text_finish(out, context, &t);
 }
+
+graze_status graze_pair_fields(char **out, graze_context *context, const graze_pair *pair) {
+    PUBLIC_OUT(out, context, pair);
+    HELD(text, t);
+    pair_fields(&t, pair);
+    return text_finish(out, context, &t);
+}

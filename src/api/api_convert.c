@@ -141,7 +141,10 @@ static graze_status take_poses(pose_choice *out, fmpq *number, graze_context *co
     *out = (pose_choice){.naming = {.ignored = o->ignored,
                                     .ignored_count = o->ignored_count,
                                     .columns = o->columns,
-                                    .order = o->angles ? angle_order_of(o->angles) : NULL},
+                                    .order = angle_order_of(o->angles           ? o->angles
+                                                            : o->dimension == 2 ? "theta"
+                                                                                : ""),
+                                    .dimension = o->dimension ? o->dimension : 3},
                          .from = o->from ? number : NULL,
                          .to = o->to ? number + 1 : NULL,
                          .scale = number + 2,
@@ -200,8 +203,11 @@ graze_status graze_motion_write_pose_list(char **json, char **report, graze_cont
                             "with `slerp`; expected one of them");
     if (taken.angles && !angle_order_of(taken.angles))
         return context_fail(context, GRAZE_EUSE,
-                            "angles '%s': expected kuka, fanuc, staubli, kawasaki, cnc or rpy",
+                            "angles '%s': expected kuka, fanuc, staubli, kawasaki, cnc, rpy or "
+                            "theta",
                             taken.angles);
+    REFUSED(taken.dimension && taken.dimension != 2 && taken.dimension != 3,
+            "the dimension is 0, 2 or 3");
     REFUSED(taken.ignored_count && !taken.ignored,
             "ignored must not be NULL where names are counted");
     return write_poses(json, report, context, path, &taken);

@@ -242,6 +242,11 @@ static void conversions(bench *b) {
     }
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &unknown));
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &unnamed));
+    const int dimensions[] = {-1, 1, 4};
+    for (int k = 0; k < 3; k++) {
+        graze_pose_options flat = {.size = sizeof flat, .dimension = dimensions[k]};
+        WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &flat));
+    }
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &short_one));
     graze_gcode_options small = {.size = 7};
     WRONG_OUT(char, graze_motion_write_gcode(NULL, &out, c, "a.nc", NULL));

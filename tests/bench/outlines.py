@@ -110,17 +110,3 @@ def run(table, graze, folder):
             area = json.load(file)["area"]
         low, high = (float(F(area["exact"])),) * 2 if "exact" in area else (float(area["low"]), float(area["high"]))
         table.note(f"area {low:.9g}; shapely's union has {pairs[0][2]:.9g}, {(pairs[0][2] - high) / high:+.2g} of it")
-
-
-def main():
-    """The rows alone: python3 tests/bench/outlines.py build/graze."""
-    import sys
-    import tempfile
-
-    from table import Table
-    with tempfile.TemporaryDirectory() as folder:
-        run(Table(), os.path.abspath(sys.argv[1]), folder)
-
-
-if __name__ == "__main__":
-    main()

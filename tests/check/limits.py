@@ -13,6 +13,7 @@ import sys
 import tempfile
 
 from lib_certificate import Certificate, ENVIRONMENT, NOT_CHECKED, Programs, REFUTED, VERIFIED, run, sha256, write
+from column_sets import column_sets
 from exact import Fraction
 from meshes import CUBE, MOVE, SQUARE, both, off, scaled, tetrahedron
 import harness
@@ -195,9 +196,7 @@ def head_of(table):
 
 def check_notes(b):
     """graze-check verifies the columns that a certificate claims, and its note names each other one that graze writes."""
-    with open(os.path.join(harness.ROOT, "src", "output", "report", "columns.c"), encoding="utf-8") as file:
-        table = file.read()
-    known = {name.rstrip("?!") for names in re.findall(r'\.names = "([^"]+)"', table) for name in names.split(",") if name[-1] != "*"}
+    known = {name for names in column_sets().values() for name, mark in names.items() if mark != "*"}
     seen = set()
     for d, words in ((2, []), (3, []), (2, ["--operation", "unsweep"]), (3, ["--operation", "unsweep"])):
         points = b.file("points.csv", ",".join("xyz"[:d]) + ',"user, own"\n' + "1000," * d + "7\n")

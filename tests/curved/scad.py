@@ -16,7 +16,7 @@ import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
-from scenes import (Checks, Curved, Graze, along, ball, box, common, cone, cylinder, minus, options, torus,  # noqa: E402
+from scenes import (Checks, Curved, Graze, along, ball, box, capsule, common, cone, cylinder, minus, options, torus,  # noqa: E402
                     times_of, union)
 from exact import Fraction as F, to_double  # noqa: E402
 from harness import run  # noqa: E402
@@ -72,6 +72,13 @@ PYRAMID = ("polyhedron(points = [[10, 0, 0], [0, 10, 0], [-10, 0, 0], [0, -10, 0
            "faces = [[0, 1, 2, 3], [4, 1, 0], [4, 2, 1], [4, 3, 2], [4, 0, 3]], convexity = 1);")
 SIMPLEX = "polyhedron(points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], faces = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]);"
 PLATE = "polygon(points = [[0, 0], [4, 0], [4, 4], [0, 4], [1, 1], [2, 1], [2, 2]], paths = [[0, 1, 2, 3], [4, 5, 6]], convexity = 1);"
+NOTCH = ("polyhedron(points = [[0, 0, 0], [2, 4, 0], [8, 4, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0], [0, 0, 5], [2, 4, 5], [8, 4, 5], "
+         "[10, 0, 5], [10, 10, 5], [0, 10, 5]], faces = [[0, 1, 2, 3, 4, 5], [11, 10, 9, 8, 7, 6], [0, 6, 7, 1], [1, 7, 8, 2], [2, 8, 9, 3], "
+         "[3, 9, 10, 4], [4, 10, 11, 5], [5, 11, 6, 0]], convexity = 2);")
+CORNERS = of("hull", sphere(1), moved(6, 0, 0, sphere(1)), moved(0, 6, 0, sphere(1)), moved(0, 0, 6, sphere(1)))
+ROUNDED = of("minkowski", cube(2, 2, 2), sphere(1), arguments="convexity = 0")
+FRAME = of("minkowski", of("difference", square(10, 10), moved(2, 2, 0, square(6, 6))), circle(1))
+ANGLE = "polygon(points = [[0, 0], [6, 0], [6, 2], [2, 2], [2, 6], [0, 6]], paths = undef);"
 # name, text, path over [-20, 20], word, times
 SCENES = [
     ("cube", cube(2, 4, 6), ("t", "2", "3"), "OBIBO", [0, 2]),
@@ -146,6 +153,50 @@ SCENES = [
     ("sum of a box and a simplex", of("minkowski", cube(1, 1, 1), SIMPLEX), ("t", "5/4", "5/4"), "OBIBO", [0, F(3, 2)]),
     ("sum in the plane", of("minkowski", square(1, 1), "polygon(points = [[0, 0], [1, 0], [0, 1]]);"), ("t", "3/2"), "OBIBO",
      [0, F(3, 2)]),
+    # Parts of another dimension than the first one, and solids in an extrusion, are left out.
+    ("a plane part of a solid", of("difference", cube(2, 2, 2), circle(9), moved(1, 0, 0, cube(2, 9, 9))), ("t", "1", "1"), "OBIBO", [0, 1]),
+    ("a solid part in the plane", square(4, 4) + "sphere(r = 9);", ("t", "1"), "OBIBO", [0, 4]),
+    ("intersection of two dimensions", of("intersection", cube(2, 2, 2), circle(1)) + cube(1, 1, 1), ("t", "1/2", "1/2"), "OBIBO", [0, 1]),
+    ("a solid in an extrusion", prism(2, cube(9, 9, 9), square(2, 6)), ("t", "1", "1"), "OBIBO", [0, 2]),
+    ("a polygon of two points", "polygon(points = [[0, 0], [1, 1]], paths = undef);" + square(2, 2), ("t", "1"), "OBIBO", [0, 2]),
+    ("cylinder to infinity", rod(1, 1, "inf") + "polyhedron(points = [[0, 0, 0]], faces = []);" + cube(1, 1, 1), ("t", "1/2", "1/2"), "OBIBO", [0, 1]),
+    # Between (0, 0) and (2, 4), and (8, 4) and (10, 0), a notch of the square [0, 10]^2 from below.
+    ("polyhedron with a notch", NOTCH, ("t", "2", "2"), "OBIBOBIBO", [0, 1, 9, 10]),
+    ("polyhedron with a notch, across", NOTCH, ("5", "t", "2"), "OBIBO", [4, 10]),
+    ("polyhedron with a notch, its corner", NOTCH, ("t", "4", "2"), "OBIBIBO", [0, (2, 8), 10]),
+    ("polyhedron with a notch, cut by a ball", of("difference", NOTCH, moved(5, 10, 2, sphere(1))), ("5", "t", "2"), "OBIBO", [4, 9]),
+    ("disk alone in a hull", of("hull", circle(2)), ("t", "0"), "OBIBO", [-2, 2]),
+    ("hull of two balls", of("hull", sphere(2), moved(6, 0, 0, sphere(2))), ("t", "0", "0"), "OBIBO", [-2, 8]),
+    ("hull of two balls, across", of("hull", sphere(2), moved(6, 0, 0, sphere(2))), ("3", "t", "0"), "OBIBO", [-2, 2]),
+    # Beside the segment (x - y)^2 <= 2, and a ball about its end.
+    ("hull of balls on a line", of("hull", *(moved(k, k, 0, sphere(1)) for k in (3, 0, 4, 1))), ("4", "t", "0"), "OBIBO", [[14, -8, 1], 5]),
+    # x + y + z <= 6 + sqrt 3 over the face of the tetrahedron, x >= -1 over that in x = 0; y = z = 1 is over both.
+    ("hull of four balls", CORNERS, ("t", "1", "1"), "OBIBO", [-1, [13, -8, 1]]),
+    # Of the edge from (6, 0, 0) to (0, 0, 6) at distance^2 9/25 + (x - 3)^2 / 2.
+    ("hull of four balls, an edge", CORNERS, ("t", "-3/5", "3"), "OBIBO", [F(-4, 5), [193, -150, 25]]),
+    ("hull of disks", of("hull", circle(1), moved(4, 0, 0, circle(1)), moved(0, 3, 0, circle(1))), ("t", "1"), "OBIBO", [-1, F(13, 3)]),
+    # Of the cube [0, 2]^3: over a face, over an edge, over a corner, where x^2 = 1 - 4/9 - 1/9.
+    ("rounded cube", ROUNDED, ("t", "1", "1"), "OBIBO", [-1, 3]),
+    ("rounded cube, an edge", ROUNDED, ("t", "-3/5", "1"), "OBIBO", [F(-4, 5), F(14, 5)]),
+    ("rounded cube, a corner", ROUNDED, ("t", "-2/3", "-1/3"), "OBIBO", [F(-2, 3), F(8, 3)]),
+    # The square [0, 10]^2 without [2, 8]^2: outside it is rounded, inside [3, 7]^2 stays.
+    ("sum of a frame and a disk", FRAME, ("t", "5"), "OBIBOBIBO", [-1, 3, 7, 11]),
+    ("sum of a frame and a disk, a corner", FRAME, ("t", "-3/5"), "OBIBO", [F(-4, 5), F(54, 5)]),
+    ("sum of a frame and a disk, inside", FRAME, ("t", "3"), "OBIBIBO", [-1, (3, 7), 11]),
+    ("sum of disks", of("minkowski", circle(1), moved(2, 0, 0, circle(2))), ("t", "0"), "OBIBO", [-1, 5]),
+    ("offset", of("offset", square(4, 4), arguments="r = 1, $fn = 0"), ("t", "-3/5"), "OBIBO", [F(-4, 5), F(24, 5)]),
+    ("offset of two that meet", of("offset", square(4, 4), moved(4, 0, 0, square(4, 4)), arguments="r = -1"), ("t", "2"), "OBIBO", [1, 7]),
+    ("offset of a disk", of("offset", circle(4), arguments="r = -1"), ("t", "0"), "OBIBO", [-3, 3]),
+    # Within [0, 6]^2 without (2, 6]^2; (x - 2)^2 + (17/10 - 2)^2 >= 1/4 about the corner inwards.
+    ("offset inwards", of("offset", ANGLE, arguments="r = -0.5"), ("t", "1"), "OBIBO", [F(1, 2), F(11, 2)]),
+    ("offset inwards, a corner", of("offset", ANGLE, arguments="r = -0.5"), ("t", "17/10"), "OBIBO", [F(1, 2), F(8, 5)]),
+    ("offset that is extruded", prism(2, of("offset", "polygon(points = [[0, 0], [4, 0], [0, 3]]);", arguments="r = 1")), ("t", "1", "1"),
+     "OBIBO", [-1, F(13, 3)]),
+    # x + y <= 2 + sqrt 2 over the edge, at y = 3/2: (x - 1/2)^2 = 2.
+    ("offset that is extruded, of an irrational edge", prism(2, of("offset", "polygon(points = [[0, 0], [2, 0], [0, 2]]);", arguments="r = 1")),
+     ("t", "3/2", "1"), "OBIBO", [-1, [-7, -4, 4]]),
+    ("offset that is extruded, inwards", prism(2, of("offset", square(4, 4), arguments="r = -1")), ("2", "2", "t"), "OBIBO", [0, 2]),
+    ("hull of disks that is extruded", prism(2, of("hull", circle(1), moved(4, 0, 0, circle(1)))), ("2", "t", "1"), "OBIBO", [-1, 1]),
     ("exponents", "sphere(r = 1e-2);", ("t", "0", "0"), "OBIBO", [F(-1, 100), F(1, 100)]),
 ]
 # OpenSCAD's text of a solid and its nodes of .csg.json: equal at points of a lattice, which meets the surfaces, and at random fractions.
@@ -164,6 +215,18 @@ TWINS = [
     (prism(3, of("difference", circle(3), "polygon(points = [[0, 0], [2, 0], [0, 2]], paths = undef);")),
      minus(cylinder((0, 0, 0), (0, 0, 3), 3, 0, 1), {"polygon": {"points": [["0", "0"], ["2", "0"], ["0", "2"]], "extrude": ["-1", "4"]}})),
 ]
+
+TWINS += [
+    (NOTCH, minus(box((0, 0, 0), (10, 10, 5)),
+                  {"polygon": {"points": [["0", "0"], ["10", "0"], ["8", "4"], ["2", "4"]], "extrude": ["-1", "6"]}})),
+    (ROUNDED, union(box((-1, 0, 0), (3, 2, 2)), box((0, -1, 0), (2, 3, 2)), box((0, 0, -1), (2, 2, 3)),
+                    *(capsule([2 * (k // 2) if i == (axis + 1) % 3 else 2 * (k % 2) if i == (axis + 2) % 3 else 0 for i in range(3)],
+                              [2 * (i == axis) for i in range(3)], 1) for axis in range(3) for k in range(4)))),
+    (prism(2, of("offset", square(4, 4, center="true"), arguments="r = 1")),
+     union(box((-3, -2, 0), (3, 2, 2)), box((-2, -3, 0), (2, 3, 2)),
+           *(cylinder((x, y, 0), (0, 0, 1), 1, 0, 2) for x in (-2, 2) for y in (-2, 2)))),
+]
+
 
 class Scad:
     """A text in a dimension, as a file."""
@@ -289,6 +352,21 @@ def check_near(bench):
         checks.holds(max(shifts) <= bound ** 2 <= (9 * 3 * most * F(11, 10)) ** 2, rows, "displacement", to_double(max(shifts)) ** 0.5, told[2])
 
 
+def check_near_angle(bench):
+    """A turn by 30 degrees is one between the x axis and (cos, sin) = (sqrt 3 / 2, 1/2), within 2^-60."""
+    text = of("rotate_extrude", moved(2, 0, 0, square(1, 1)), arguments="angle = 30, convexity = 2")
+    done = bench.convert(text, "--near-rotation", "1e-6")
+    if not bench.checks.equal(done.returncode, 0, "angle", done.stderr):
+        return
+    sides = [[F(x) for x in part["halfspace"]["normal"]] for part in json.loads(done.stdout)["solid"]["intersection"][0]["intersection"]]
+    bench.checks.equal(sides[0], [0, -1, 0], "from the x axis")
+    small = F(1, 2 ** 59)
+    bench.checks.holds(abs(sides[1][0] + F(1, 2)) < small and abs(sides[1][1] ** 2 - F(3, 4)) < 2 * small and sides[1][1] > 0, "to 30", sides[1])
+    told = re.search(r"maps taken as rotations: 1; no point moves by more than (\S+)", done.stderr)
+    bench.checks.holds(told and 0 < F(told[1]) <= 5 * small, "displacement", done.stderr)
+    bench.checks.equal(bench.convert(text).returncode, 3, "without the option")
+
+
 def check_near_chain(bench):
     """An outer map enlarges the displacement of an inner one; revolved and flat nodes have their maps turned too."""
     third = NEAR[0][0]
@@ -315,6 +393,7 @@ def main():
             check_smooth(bench)
             check_near(bench)
             check_near_chain(bench)
+            check_near_angle(bench)
     check_twins(graze, checks, args)
     checks.finish()
 

@@ -222,6 +222,7 @@ int fuzz_poses(const uint8_t *data, size_t size) {
                                      .ignored_count = (size_t)(k & 1),
                                      .scale = tolerance,
                                      .every = 2,
+                                     .dimension = k == 5 ? 2 : 3,
                                      .from = tolerance,
                                      .text = (const char *)data,
                                      .length = size};

@@ -3,7 +3,8 @@
 
 Each golden case that has a certificate is verified as graze-check verifies it, with the same words; of every --eighth the tables in which
 a column, a line or the head is changed are refuted. Files that are chosen, packed ones too, are told apart; the page says which row is not
-proved, and shows it; it asks for no address. By hand, and in test-long, since it needs emscripten.
+proved, and shows it; it asks for no address. A page of graze draw is taken for a table, and becomes one that proves its own points, and
+refutes them where it shows another answer. By hand, and in test-long, since it needs emscripten.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import gzip
@@ -23,7 +24,13 @@ from chromium import Chromium  # noqa: E402
 from harness import ROOT, Checks, options  # noqa: E402
 from lib_certificate import REFUTED, Programs, VERIFIED  # noqa: E402
 
+PROVING = ("bracket", "figures-5-7-8", "unsweep-figure2a", "closed-seam")
 KINDS = ("solid", "motion", "certificate", "table")
+
+
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
 
 
 class InPage:
@@ -35,16 +42,15 @@ class InPage:
     def check(self, *files):
         texts = {}
         for kind, path in zip(KINDS, files):
-            with open(path, encoding="utf-8") as file:
-                texts[kind] = file.read()
+            texts[kind] = read(path)
         ending = os.path.splitext(files[0])[1]
         done = self.browser.value(f"check({json.dumps(texts)}, {json.dumps(ending)})")
         said = [[line for line in done["lines"] if line.startswith("graze-check: ") == is_error] for is_error in (False, True)]
         return done["status"], *("".join(line + "\n" for line in lines) for lines in said)
 
 
-def chosen(browser, tally, files, folder):
-    """Files given to the page's button, the table and certificate packed; then a table with a row that is wrong."""
+def chosen(browser, tally, graze, files, folder):
+    """Files given to the page's button, the table and certificate packed; then a table with a row that is wrong, and a page."""
     packed = []
     for path in files[2:]:
         with open(path, "rb") as file, gzip.open(os.path.join(folder, os.path.basename(path) + ".gz"), "wb") as out:
@@ -54,7 +60,7 @@ def chosen(browser, tally, files, folder):
     button = browser.call("DOM.querySelector", nodeId=root, selector="#choose")["nodeId"]
 
     def said(given):
-        browser.value("document.getElementById('said').textContent = ''")
+        browser.value("document.getElementById('said').className = ''")
         browser.call("DOM.setFileInputFiles", nodeId=button, files=given)
         until = time.monotonic() + 60
         while time.monotonic() < until:
@@ -75,7 +81,42 @@ def chosen(browser, tally, files, folder):
         file.write("\n".join([*lines[:last], wrong, lines[-1]]) + "\n")
     shown = said([forged])
     tally.holds(shown[0] == "refuted" and f"table.csv:{last + 1}" in shown[1] and shown[2] == wrong, shown, wrong)
+    shown, link = said([drawn(graze, files, folder)]), browser.value("[...document.querySelectorAll('#carried a')].map(e => e.download)")
+    tally.holds(shown[0] == "verified" and shown[2] == "" and link == ["scene.html"], shown, link)
     tally.holds(not browser.faults(), browser.faults())
+
+
+def drawn(graze, files, folder):
+    """A page of graze draw that shows the points of the table."""
+    scene = os.path.join(folder, "scene.html")
+    unsweep = ["--operation", "unsweep"] if "\noperation unsweep\n" in read(files[2]) else []
+    subprocess.run([graze, "draw", files[0], files[1], files[3], *unsweep, "--surface", "none", "-o", scene], check=True)
+    return scene
+
+
+def proving(browser, tally, graze, files, folder):
+    """The page of a scene is a table to the checker, which makes of it a page with a button; an answer that is changed in it is refuted."""
+    scene, own = drawn(graze, files, folder), os.path.join(folder, "own.html")
+    given = [json.dumps(read(path)) for path in files[:3]]
+    texts, ending = f"{{solid: {given[0]}, motion: {given[1]}, certificate: {given[2]}}}", json.dumps(os.path.splitext(files[0])[1])
+    rows = browser.value(f"tableOf(sceneOf({json.dumps(read(scene))}), {given[2]})").splitlines()
+    count = int(rows[-1].split()[-1])
+    wanted = [line.split(",") for line in read(files[3]).splitlines() if not line.startswith("#")]
+    width = len(rows[-2].split(","))
+    tally.equal([line.split(",") for line in rows[-2 - count:-1]], [line[:width] for line in wanted], files, "the table of a page")
+    made = browser.value(f"carry({json.dumps(read(scene))}, {texts}, {ending})")
+    shown = read(scene).split('"lines":', 1)[1].split("\"")[1]
+    at, word, numbers, rest = shown.split("|", 3)
+    wrong = "|".join([at, ("I" if word != "I" else "O"), numbers, rest])
+    tally.equal(made.count(json.dumps(shown)), 1, files, shown)
+    for text, want in ((made, ("verified", f"verified: {count} rows")), (made.replace(json.dumps(shown), json.dumps(wrong)), ("refuted", "differs from the certificate in the word"))):
+        with open(own, "w", encoding="utf-8") as file:
+            file.write(text)
+        tally.holds(browser.open(own), files, "the page is ready")
+        said = browser.value("(async () => { await document.getElementById('prove').onclick(); const e = document.querySelector('header output'); "
+                             "return [e.id, e.textContent]; })()")
+        tally.holds(said[0] == want[0] and want[1] in said[1], files, said, want)
+        tally.holds(not browser.faults(), browser.faults())
 
 
 def main():
@@ -84,7 +125,8 @@ def main():
     subprocess.run(["make", "-s", f"B={os.path.relpath(build, ROOT)}", "checker-page"], cwd=ROOT, check=True)
     browser = Chromium()
     try:
-        tally.holds(browser.open(os.path.join(build, "checker-page", "graze-check.html")), "the page is ready")
+        checker = os.path.join(build, "checker-page", "graze-check.html")
+        tally.holds(browser.open(checker), "the page is ready")
         page = InPage(browser)
         with tempfile.TemporaryDirectory() as folder:
             for number, name in enumerate(casefile.names()):
@@ -96,7 +138,10 @@ def main():
                     golden.check_tables(tally, page, case, files[:3], table)
                 if name == "bracket":
                     kept = tempfile.mkdtemp(dir=folder)
-                    chosen(browser, tally, files, kept)
+                    chosen(browser, tally, args.graze, files, kept)
+                if name in PROVING:
+                    proving(browser, tally, args.graze, files, folder)
+                    tally.holds(browser.open(checker), "the page is ready")
         tally.holds(tally.passed > 500, f"{tally.passed} checks, {REFUTED}")
     finally:
         browser.close()

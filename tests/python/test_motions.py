@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import csv
 import html.parser
 import json
+import math
 import os
 import pathlib
 import re
@@ -136,6 +137,17 @@ class Motions(unittest.TestCase):
         self.assertIn("signs of quaternions changed at poses 2; 1 in all", far.report)
         self.assertIn("each one exactly as given at its time", far.report)
         self.assertIn(f"({F(0.1).numerator} + ", far.json())
+        # In the plane: a quarter turn of theta takes the corner (2, 1) of a bar to (-1, 2), moved by (4, 0) to (3, 2).
+        flat = graze.Motion.poses(Frame({"x": [0, 4], "y": [0, 0], "theta": [0, math.pi / 2]}), dimension=2)
+        same = graze.Motion.poses([[0, 0, 5, 1, 0, 0, 0], [4, 0, 5, 1, 0, 0, 1]], quaternions="wxyz", dimension=2)
+        self.assertIn("plane: z is left out", same.report)
+        for motion in (flat, same):
+            bar = graze.Scene(graze.Solid([(0, 0), (2, 0), (2, 1), (0, 1)], [[0, 1, 2, 3]]), motion)
+            self.assertEqual([bar.explain(p).pmc for p in ((3, 2), (F(7, 2), F(3, 2)), (9, 9))], ["on", "in", "out"])
+        with self.assertRaisesRegex(graze.InputError, "pose 2: the pose turns out of the plane"):
+            graze.Motion.poses([[0, 0, 0, 1, 0, 0, 0], [4, 0, 0, 1, 1, 0, 0]], quaternions="wxyz", dimension=2)
+        with self.assertRaises(graze.UseError):
+            graze.Motion.poses([[0, 0, 0, 1, 0, 0, 0]] * 2, quaternions="wxyz", dimension=4)
         half = 0.5 ** 0.5
         ways = [[0.1, 0, 0, 1, 0, 0, 0], [0.1, 0, 0, -half, 0, 0, -half]]
         far = graze.Motion.poses(ways, shortest=True, quaternions="wxyz")

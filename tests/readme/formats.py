@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # suite
 """src/program/cli/formats.md against the program: its motions are legal, and it names every key, every limit with its
-default, every status and every column. The form of proofs/glossary.md and CHANGELOG.md.
+default, every status and every column, and those of options with their lines, order and refusals as the program has them, as do
+the help and the lists of other pages. The form of proofs/glossary.md and CHANGELOG.md.
 
 The names come from the program's own refusals and help, so that a key or limit that is added and not
 described fails here. Of the glossary each term is one that the tree uses, each reference has the claims it names,
@@ -18,6 +19,7 @@ import tempfile
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import harness  # noqa: E402
+from column_sets import column_sets  # noqa: E402
 from harness import ROOT, Checks, options  # noqa: E402
 
 PAGE = os.path.join(ROOT, "src", "program", "cli", "formats.md")
@@ -142,6 +144,84 @@ def tables(page, program):
     check(statuses == set("0123456"), f"exit status {sorted(statuses)}")
 
 
+class Asked:
+    """Tables of graze classify with options that add columns: of a cube, or of a ball, that moves, by a log or not."""
+
+    def __init__(self, program):
+        self.program, self.points = program, program.write("points.csv", "x,y,z,note\n5,1,1,a\n")
+        pieces = ('{"dimension": 3, "pieces": [{"t": [0, 1], %s"transform": {"translate": ["8*t", 0, 0]}}]}' % row for row in ("", '"row": 7, '))
+        self.plain, self.logged = (program.write(f"move{k}.json", text) for k, text in enumerate(pieces))
+        self.ball = program.write("ball.csg.json", '{"dimension": 3, "solid": {"ball": {"radius": 1}}}')
+        self.arguments = dict(re.findall(r"^  --([a-z-]+)(?: ([A-Z]+))? ", program.run("classify", "--help")[0], re.M))
+
+    def words(self, option):
+        return [f"--{option}", *(["1/100"] if self.arguments[option] else [])]
+
+    def shown(self, option):
+        return f"--{option} {self.arguments[option]}".rstrip()
+
+    def run(self, *words, motion="", solid=""):
+        given = [] if "--at-rest" in words else [motion or self.plain]
+        return self.program.run("classify", solid or self.program.solids[3], *given, self.points, *words)
+
+    def names(self, *words, **how):
+        output, status = self.run(*words, **how)
+        check(status == 0, words, how, output)
+        return next(line for line in output.splitlines() if not line.startswith("#")).split(",")
+
+    def beside(self, option):
+        """The words that the option needs beside it, as refusals ask for them."""
+        output, status = self.run(*self.words(option))
+        needs = re.search(r"expected --([a-z-]+)( [a-z]+)? beside it", output)
+        check(status == (2 if needs else 0), option, output)
+        return ([f"--{needs[1]}", needs[2].strip()] if needs[2] else self.words(needs[1])) if needs else []
+
+    def lines(self, option, beside):
+        """The lines that begin with `#` which the option brings, with letters for numbers."""
+        before, after = (self.run(*words, *beside)[0].splitlines() for words in ([], self.words(option)))
+        new = [line.split() for line in after if line.startswith("#") and line not in before]
+        letter = [value if value == "yes" else self.arguments[option] if key == option else "N" if value.isdigit() else "D" for _, key, value in new]
+        return ", ".join(f"`# {key} {value}`" for (_, key, _), value in zip(new, letter))
+
+    def row(self, option, columns):
+        """The option's row of the page, from what the program does."""
+        beside = self.beside(option)
+        words = self.words(option) + beside
+        where = {"": self.names(*words, motion=self.logged), " (from a log)": self.names(*words)}
+        refused = [more for more in ("--columns pmc", "--at-rest", "--format jsonl", "--format npy", "--format vtk")
+                   if self.run(*words, *more.split())[1] == 2]
+        if "--at-rest" not in refused:
+            where[" (not with `--at-rest`)"] = self.names(*words, "--at-rest")
+        check(where[""][-len(columns):] == list(columns), option, "the table's last columns", where[""])
+        told = ["`" + name + "`" + "".join(why for why, names in where.items() if name not in names) for name in columns]
+        curved = ["curved solids"] if self.run(*words, solid=self.ball)[1] == 3 else []
+        cells = (f"`{self.shown(option)}`", ", ".join(told), self.lines(option, beside), f"`{' '.join(beside).replace(' 1/100', '')}`" if beside else "",
+                 ", ".join([f"`{more}`" for more in refused] + curved))
+        return "| " + " | ".join(cells) + " |"
+
+
+def columns_of_options(page, program):
+    """The page's table of them is what the program does; the help has each option, and the names that it does not have itself."""
+    asked, sets = Asked(program), column_sets()
+    wanted = "".join(asked.row(option, columns) + "\n" for option, columns in sets.items())
+    head = "\n| option | columns | lines | beside it | not beside it |\n|---|---|---|---|---|\n"
+    check(f"{head}{wanted}\n" in page, f"formats.md: expected the rows\n{wanted}")
+    for before, more in ((11, []), (6, ["--operation", "unsweep"])):
+        taken = [option for option in sets if more or "unsweep" not in asked.beside(option)]
+        names = asked.names(*(word for option in taken for word in asked.words(option)), *more, motion=asked.logged)
+        check(names[before:] == [name for option in taken for name in sets[option]], "order", more, names)
+    tables_of_values = "".join(re.findall(r"^\| column \| values \|\n\|[-|]+\|\n((?:\|.*\n)+)", page, re.M))
+    of = {name: number for number, columns in enumerate(sets.values()) for name in columns}
+    told = [name for line in tables_of_values.splitlines() for name in re.findall(r"`(\w+)`", line.split("|")[1]) if name in of]
+    check(sorted(told) == sorted(of) and told == sorted(told, key=of.get), "columns with values on the page, once and in order", told)
+    helped = dict(re.findall(r"^  --([a-z-]+)(.*(?:\n {20,}.*)*)", program.run("classify", "--help")[0], re.M))
+    for option, columns in sets.items():
+        count = re.search(r"\b(a|one|two|three) (?:columns?|more)\b", helped[option])
+        check(not count or {"a": 1, "one": 1, "two": 2, "three": 3}[count[1]] == len(columns), option, helped[option])
+        name = next(iter(columns))
+        check(len(columns) > 1 or name == option or f"column {name}" in helped[option], option, helped[option])
+
+
 def read(*parts):
     with open(os.path.join(ROOT, *parts), encoding="utf-8") as file:
         return file.read()
@@ -221,6 +301,7 @@ def main():
         examples(program, known)
         limits(page, program)
         tables(page, program)
+        columns_of_options(page, program)
     glossary()
     changelog()
     checks.finish()

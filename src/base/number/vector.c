@@ -23,6 +23,32 @@ void vector_middle(fmpq *out, const fmpq *a, const fmpq *b, int dimension) {
         fmpq_div_2exp(out + k, out + k, 1);
 }
 
+void vector_between(fmpq *out, const fmpq *a, const fmpq *b, const fmpq_t part, int dimension) {
+    LOCAL(fmpq, step);
+    for (int i = 0; i < dimension; i++) {
+        fmpq_sub(step, b + i, a + i);
+        fmpq_mul(step, step, part);
+        fmpq_add(out + i, a + i, step);
+    }
+}
+
+void vector_zero(fmpq *out, const fmpq *p, const fmpq *q, const fmpq_t a, const fmpq_t b,
+                 int dimension) {
+    LOCAL(fmpq, part);
+    fmpq_sub(part, a, b);
+    fmpq_div(part, a, part);
+    vector_between(out, p, q, part, dimension);
+}
+
+void vector_dot_integers(fmpq_t out, const fmpz *a, const fmpq *b, int dimension) {
+    LOCAL(fmpq, term);
+    fmpq_zero(out);
+    for (int i = 0; i < dimension; i++) {
+        fmpq_mul_fmpz(term, b + i, a + i);
+        fmpq_add(out, out, term);
+    }
+}
+
 int vector_is_zero(const fmpq *a, int dimension) {
     int i = 0;
     while (i < dimension && fmpq_is_zero(a + i))

@@ -24,6 +24,13 @@ int vector_collinear(const fmpq *a, const fmpq *b, const fmpq *c);
 void vector_set(fmpq *out, const fmpq *a, int dimension);
 /** out = a x b, in space; `out` is neither a nor b. */
 void vector_cross(fmpq *out, const fmpq *a, const fmpq *b);
+/** out = a + part (b - a); `out` may be a or b. */
+void vector_between(fmpq *out, const fmpq *a, const fmpq *b, const fmpq_t part, int dimension);
+/** The zero between p and q of an affine function that is `a` at p and `b` at q, which differ. */
+void vector_zero(fmpq *out, const fmpq *p, const fmpq *q, const fmpq_t a, const fmpq_t b,
+                 int dimension);
+/** The inner product of a vector of integers and one of rationals. */
+void vector_dot_integers(fmpq_t out, const fmpz *a, const fmpq *b, int dimension);
 /** The image of a point under an affine map, a homogeneous matrix of size d + 1; `out` is not
  * `point`. */
 void vector_image(fmpq *out, const fmpq_mat_t map, const fmpq *point, int dimension);

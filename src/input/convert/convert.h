@@ -72,6 +72,7 @@ typedef struct angle_order {
     const char *name[3]; /* names of the columns; name[k] belongs to axis[k] */
     int axis[3];         /* 0: x, 1: y, 2: z */
     int may_miss;        /* columns may be left out: their angles are 0 */
+    int radians;         /* the one angle, about z, is in radians; others are in degrees */
 } angle_order;
 
 /** Find the order of a machine; NULL if the name is unknown, which the caller has to report. */
@@ -83,6 +84,7 @@ typedef struct pose_naming {
     size_t ignored_count;
     const char *columns;      /* NAME=COLUMN,..., COLUMN as in the file; NULL: none */
     const angle_order *order; /* order of the angles; NULL: the poses have no angles */
+    int dimension;            /* of the motion */
 } pose_naming;
 
 /** The poses that are taken from a file or a text. */

@@ -57,17 +57,67 @@ static graze_status find_rotations(text *report, graze_context *context, pose_li
     return GRAZE_OK;
 }
 
+/* Set `off` to an upper bound of how far entries of a pose's matrix are from those of one in the
+ * plane, and leave the rest out. A quaternion q turns about z as w and z alone do, and then by the
+ * angle a about an axis across, where sin(a/2) = s = hypot(x, y) / |q|: the matrices of both differ
+ * by 2 s in the operator norm. */
+static void flatten_pose(mpfr_t off, pose *p, int affine) {
+    static const int across[] = {2, 6, 8, 9};
+    LOCAL_VEC(fmpq, square, 2);
+    fmpq *part = square + 1, *q = p->quaternion;
+    if (affine) {
+        fmpq_sub_ui(part, p->matrix + 10, 1);
+        fmpq_mul(square, part, part);
+        for (int k = 0; k < 4; k++)
+            fmpq_addmul(square, p->matrix + across[k], p->matrix + across[k]);
+    } else if (!fmpq_is_zero(q + 1) || !fmpq_is_zero(q + 2)) {
+        _fmpq_vec_dot(square, q + 1, q + 1, 2);
+        _fmpq_vec_dot(part, q, q, 4);
+        fmpq_div(square, square, part);
+        fmpq_mul_ui(square, square, 4);
+        fmpq_zero(q + 1);
+        fmpq_zero(q + 2);
+    }
+    root_above(off, square);
+}
+
+static graze_status flatten(text *report, graze_context *context, const pose_list *list, int affine,
+                            const fmpq_t tolerance) {
+    char digits[DIGITS_ROOM];
+    int above = 0;
+    LOCAL_MPFR(off, 64);
+    LOCAL_MPFR(worst, 64);
+    mpfr_set_zero(worst, 1);
+    for (pose *p = list->item; p < list->item + list->count; p++) {
+        flatten_pose(off, p, affine);
+        if (bound_exceeds(off, tolerance))
+            return context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
+                                   "the pose turns out of the plane: an entry of its matrix is up "
+                                   "to %s off; expected turns about z, a larger tolerance, or "
+                                   "dimension 3",
+                                   bound_digits(digits, off));
+        mpfr_max(worst, worst, off, MPFR_RNDU);
+        above |= !fmpq_is_zero(p->matrix + 11);
+    }
+    text_put(report, above ? "plane: z is left out\n" : "");
+    if (!mpfr_zero_p(worst))
+        put_fact(report, "plane: tilts are left out; they change entries of matrices by", worst,
+                 "");
+    return GRAZE_OK;
+}
+
 static void put_keyframe(json_writer *w, const pose *p, const pose_list *list) {
-    fmpq position[3];
+    int flat = list->dimension == 2;
+    fmpq position[3], half[2] = {p->quaternion[0], p->quaternion[3]};
     for (int k = 0; k < 3; k++)
         position[k] = p->matrix[4 * k + 3];
     json_line(w, 1);
     json_open(w, NULL, '{');
     json_rational(w, "t", p->time);
     json_count(w, "row", p->row);
-    json_point(w, "position", position, 3);
+    json_point(w, "position", position, list->dimension);
     if (list->form != POSES_OF_POSITIONS)
-        json_point(w, "quaternion", p->quaternion, 4);
+        json_point(w, flat ? "complex" : "quaternion", flat ? half : p->quaternion, flat ? 2 : 4);
     json_close(w, '}');
 }
 
@@ -90,7 +140,7 @@ static void put_between(json_writer *w, const pose_list *list, const slerp_cours
 static graze_status put_keyframes(conversion *out, graze_context *context, const pose_list *list,
                                   const fmpq *tolerance) {
     slerp_course s = {.tolerance = tolerance};
-    json_writer w = motion_begin(&out->motion, 3, "keyframes", 1);
+    json_writer w = motion_begin(&out->motion, list->dimension, "keyframes", 1);
     for (size_t i = 0; i < list->count; i++) {
         const pose *p = list->item + i;
         if (list->form != POSES_OF_POSITIONS)
@@ -106,12 +156,14 @@ static graze_status put_keyframes(conversion *out, graze_context *context, const
 }
 
 static void put_matrices(text *t, const pose_list *list) {
-    json_writer w = motion_begin(t, 3, "pieces", 1);
+    json_writer w = motion_begin(t, list->dimension, "pieces", 1);
     LOCAL(fmpq, step);
     for (size_t i = 0; i + 1 < list->count; i++) {
         const pose *p = list->item + i;
         motion_begin_piece(&w, 1, p[0].time, p[1].time, p[1].row, "matrix", '[');
-        for (int k = 0; k < 12; k++) {
+        for (int k = 0; k < 4 * list->dimension; k++) {
+            if (list->dimension == 2 && k % 4 == 2)
+                continue;
             if (k % 4 == 0) {
                 json_line(&w, 2);
                 json_open(&w, NULL, '[');
@@ -185,16 +237,12 @@ static void report_poses(text *t, const pose_list *list, unsigned ways, const po
 
 /* Find the quaternions of rows that have rotations in any form. */
 static graze_status find_quaternions(conversion *out, graze_context *context, pose_list *list,
-                                     const pose_choice *choice, unsigned ways,
-                                     const fmpq_t tolerance) {
-    if (list->form == POSES_OF_POSITIONS)
+                                     const pose_choice *choice, const fmpq_t tolerance) {
+    if (list->form == POSES_OF_POSITIONS || list->form == POSES_OF_QUATERNIONS)
         return GRAZE_OK;
     if (list->form == POSES_OF_MATRICES)
-        TRY(find_rotations(&out->report, context, list, tolerance));
-    else if (list->form != POSES_OF_QUATERNIONS)
-        TRY(poses_turn(&out->report, context, list, choice->naming.order, tolerance));
-    take_ways(&out->report, list, (ways & GRAZE_POSES_LONG) != 0);
-    return GRAZE_OK;
+        return find_rotations(&out->report, context, list, tolerance);
+    return poses_turn(&out->report, context, list, choice->naming.order, tolerance);
 }
 
 graze_status convert_poses(conversion *out, graze_context *context, const char *path,
@@ -206,10 +254,14 @@ graze_status convert_poses(conversion *out, graze_context *context, const char *
         return context_fail_in(context, GRAZE_EINPUT, path, 0,
                                "the poses are no matrices; expected matrices for an affine motion");
     report_poses(&out->report, &list, ways, choice, context->rounding);
+    if (!affine)
+        TRY(find_quaternions(out, context, &list, choice, tolerance));
+    if (list.dimension == 2)
+        TRY(flatten(&out->report, context, &list, affine, tolerance));
     if (affine) {
         put_matrices(&out->motion, &list);
         return GRAZE_OK;
     }
-    TRY(find_quaternions(out, context, &list, choice, ways, tolerance));
+    take_ways(&out->report, &list, (ways & GRAZE_POSES_LONG) != 0);
     return put_keyframes(out, context, &list, ways & GRAZE_POSES_SLERP ? tolerance : NULL);
 }

@@ -23,22 +23,24 @@ typedef struct naming {
 
 static graze_status misses(const naming *n, const char *what) {
     return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
-                           "the column %s is missing; expected x,y,z, perhaps with qw,qx,qy,qz, "
-                           "or a tool's i,j,k, or three angles, or m00 to m23",
-                           what);
+                           "the column %s is missing; expected %s or m00 to m23", what,
+                           n->given->dimension == 2
+                               ? "x,y, perhaps with qw,qz, or theta in radians, or a "
+                                 "machine's angle about z,"
+                               : "x,y,z, perhaps with qw,qx,qy,qz, or a tool's i,j,k, "
+                                 "or three angles,");
 }
 
-/* Check that the file has all or none of `count` columns from `first` on; *some is 1 if it has all.
- */
-static graze_status whole(const naming *n, int first, int count, int *some) {
-    int missing = -1, found = 0;
+/* Check that the file has none of `count` columns from `first` on, or all of them whose bits are in
+ * `must`; *some is 1 if it has one. */
+static graze_status whole(const naming *n, int first, int count, unsigned must, int *some) {
+    int missing = -1;
+    *some = 0;
     for (int k = first; k < first + count; k++) {
-        found += n->out->place[k] >= 0;
-        missing = n->out->place[k] < 0 ? k : missing;
+        *some |= n->out->place[k] >= 0;
+        missing = n->out->place[k] < 0 && must >> (k - first) & 1 ? k : missing;
     }
-    *some = found == count;
-    return found && found < count ? misses(n, pose_column_name(missing, n->given->order))
-                                  : GRAZE_OK;
+    return *some && missing >= 0 ? misses(n, pose_column_name(missing, n->given->order)) : GRAZE_OK;
 }
 
 /* The next NAME=COLUMN of a list; 0 at its end. */
@@ -148,7 +150,8 @@ static graze_status refuse_stamp(const naming *n, field name) {
 
 static graze_status refuse_name(const naming *n, field name) {
     static const char letters[] = "ABCabc";
-    if (name.length == 1 && strchr(letters, *name.start) && !n->given->order)
+    if (name.length == 1 && strchr(letters, *name.start) &&
+        (!n->given->order || n->given->order->radians))
         return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
                                "the column '%.*s' is an angle, whose meaning depends on the "
                                "machine; expected its name: kuka, cnc, ...",
@@ -158,9 +161,11 @@ static graze_status refuse_name(const naming *n, field name) {
     return context_fail_in(
         n->context, GRAZE_EINPUT, n->source, n->line,
         "the column '%.*s' is unknown; expected t (time, timestamp), x,y,z (tx, pos_x, position.x, "
-        "...), qw,qx,qy,qz (orientation.w, ...), i,j,k, or m00 to m33, in any order; other columns "
-        "are named as one of these (`--columns`), or as ignored (`--ignore`)%s",
-        FIELD_SHOWN(name), meant.data ? meant.data : "");
+        "...), qw,qx,qy,qz (orientation.w, ...), i,j,k, %sor m00 to m33, in any order; other "
+        "columns are named as one of these (`--columns`), or as ignored (`--ignore`)%s",
+        FIELD_SHOWN(name),
+        n->given->dimension == 2 ? "theta in radians or yaw (`--angles rpy`), " : "",
+        meant.data ? meant.data : "");
 }
 
 /* Seconds and nanoseconds are one time: where the caller names one, no other column adds to it. */
@@ -210,16 +215,14 @@ static graze_status take_names(naming *n) {
 /* Check that the columns give a rotation in one form. */
 static graze_status check_names(const naming *n) {
     int positions = 0, quaternions = 0, matrices = 0, bottom = 0, axes = 0, angles = 0;
+    int flat = n->given->dimension == 2;
     const angle_order *order = n->given->order;
-    TRY(whole(n, POSE_POSITION, 3, &positions));
-    TRY(whole(n, POSE_QUATERNION, 4, &quaternions));
-    TRY(whole(n, POSE_MATRIX, 12, &matrices));
-    TRY(whole(n, POSE_BOTTOM, 4, &bottom));
-    TRY(whole(n, POSE_AXIS, 3, &axes));
-    for (int k = 0; k < 3; k++)
-        angles |= n->out->place[POSE_ANGLE + k] >= 0;
-    if (angles && !order->may_miss)
-        TRY(whole(n, POSE_ANGLE, 3, &angles));
+    TRY(whole(n, POSE_POSITION, 3, flat ? 3 : 7, &positions));
+    TRY(whole(n, POSE_QUATERNION, 4, flat ? 9 : 15, &quaternions)); /* flat: w and z */
+    TRY(whole(n, POSE_MATRIX, 12, ~0U, &matrices));
+    TRY(whole(n, POSE_BOTTOM, 4, ~0U, &bottom));
+    TRY(whole(n, POSE_AXIS, 3, ~0U, &axes));
+    TRY(whole(n, POSE_ANGLE, 3, flat || (order && order->may_miss) ? 0 : ~0U, &angles));
     if (!positions && !quaternions && !matrices && !axes && !angles)
         return misses(n, order ? order->name[0] : "x");
     if (quaternions + matrices + axes + angles + (matrices && positions) > 1)

@@ -84,9 +84,9 @@ graze_status pose_columns_fix(pose_columns *out, int *header, text *report, graz
 
 /** One pose: the numbers of its line, exactly. */
 typedef struct pose {
-    fmpq_t time;
-    fmpq matrix[12];    /* rows of (linear part, position); with quaternions only the positions */
-    fmpq quaternion[4]; /* w, x, y, z. Rows with an axis or angles first have their three numbers
+    fmpq *time;         /* first of all numbers */
+    fmpq *matrix;       /* rows of (linear part, position); with quaternions only the positions */
+    fmpq *quaternion;   /* w, x, y, z. Rows with an axis or angles first have their three numbers
                          * here; their quaternions, and those of matrices, are computed after
                          * reading */
     unsigned long line; /* number of the line in the file, from 1 */
@@ -97,6 +97,7 @@ typedef struct pose {
 typedef struct pose_list {
     const char *source; /* name of the file, borrowed */
     pose_form form;
+    int dimension;      /* of the motion */
     const char *unit;   /* name of what `row` counts: line, pose, row */
     unsigned long rows; /* poses in the file, taken or not */
     size_t count;

@@ -3,6 +3,7 @@
  */
 #include "input/convert/convert.h"
 
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
@@ -11,6 +12,8 @@
 #include "base/number/rational.h"
 #include "input/convert/poses_list.h"
 #include "input/delimited/delimited.h"
+
+enum { POSE_NUMBERS = 1 + 12 + 4 };
 
 typedef struct reading {
     graze_context *context;
@@ -28,19 +31,13 @@ typedef struct reading {
 } reading;
 
 void pose_init(pose *p) {
-    fmpq_init(p->time);
-    for (int k = 0; k < 12; k++)
-        fmpq_init(p->matrix + k);
-    for (int k = 0; k < 4; k++)
-        fmpq_init(p->quaternion + k);
+    p->time = _fmpq_vec_init(POSE_NUMBERS);
+    p->matrix = p->time + 1;
+    p->quaternion = p->matrix + 12;
 }
 
 void pose_clear(pose *p) {
-    fmpq_clear(p->time);
-    for (int k = 0; k < 12; k++)
-        fmpq_clear(p->matrix + k);
-    for (int k = 0; k < 4; k++)
-        fmpq_clear(p->quaternion + k);
+    _fmpq_vec_clear(p->time, POSE_NUMBERS);
 }
 
 static pose *append_pose(reading *r) {
@@ -189,6 +186,7 @@ static graze_status read_line(reading *r, field line) {
         TRY(pose_columns_fix(&r->columns, &header, r->report, r->context, r->list->source, r->line,
                              &r->cut, r->separator, &r->choice->naming));
     r->list->form = r->columns.form;
+    r->list->dimension = r->choice->naming.dimension;
     r->list->unit = r->columns.place[POSE_ROW] >= 0 ? "row" : r->choice->numbered ? "pose" : "line";
     return header ? GRAZE_OK : read_pose(r);
 }

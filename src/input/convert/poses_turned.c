@@ -20,10 +20,13 @@
 
 enum { BITS_LEAST = 32 }; /* of angles */
 
-static const angle_order orders[] = {
-    {"kuka", {"A", "B", "C"}, {2, 1, 0}, 0},       {"fanuc", {"R", "P", "W"}, {2, 1, 0}, 0},
-    {"staubli", {"RX", "RY", "RZ"}, {0, 1, 2}, 0}, {"kawasaki", {"O", "A", "T"}, {2, 1, 2}, 0},
-    {"cnc", {"C", "B", "A"}, {2, 1, 0}, 1},        {"rpy", {"yaw", "pitch", "roll"}, {2, 1, 0}, 0}};
+static const angle_order orders[] = {{"kuka", {"A", "B", "C"}, {2, 1, 0}, 0, 0},
+                                     {"fanuc", {"R", "P", "W"}, {2, 1, 0}, 0, 0},
+                                     {"staubli", {"RX", "RY", "RZ"}, {0, 1, 2}, 0, 0},
+                                     {"kawasaki", {"O", "A", "T"}, {2, 1, 2}, 0, 0},
+                                     {"cnc", {"C", "B", "A"}, {2, 1, 0}, 1, 0},
+                                     {"rpy", {"yaw", "pitch", "roll"}, {2, 1, 0}, 0, 0},
+                                     {"theta", {"theta", "theta", "theta"}, {2, 1, 0}, 1, 1}};
 enum { ORDERS = sizeof orders / sizeof *orders };
 
 const angle_order *angle_order_of(const char *machine) {
@@ -50,11 +53,25 @@ static void turn_on(fmpq *out, const half_angle *h, int axis) {
     }
 }
 
-/* Find the quaternion of three angles in degrees, a product of three turns whose half angles are
+/* Divide a quarter of an angle by pi. Three roundings change the angle by less than itself times
+ * 2^(2 - ANGLE_BITS), a bound of which is added to `error`. */
+static void divide_by_pi(fmpq_t f, mpfr_t error) {
+    LOCAL_MPFR(value, ANGLE_BITS);
+    LOCAL_MPFR(pi, ANGLE_BITS);
+    rational_to_mpfr(value, f, MPFR_RNDN);
+    mpfr_const_pi(pi, MPFR_RNDN);
+    mpfr_div(value, value, pi, MPFR_RNDN);
+    mpfr_to_rational(f, value);
+    mpfr_abs(value, value, MPFR_RNDU);
+    mpfr_mul_2si(value, value, 6 - ANGLE_BITS, MPFR_RNDU);
+    mpfr_add(error, error, value, MPFR_RNDU);
+}
+
+/* Find the quaternion of three angles, a product of three turns whose half angles are
  * dyadic pairs near the given ones, and an upper bound of the angle between both rotations,
- * radians, about 2^-bits: the sum of the errors of the turns. `quaternion` may be `degrees`. */
+ * radians, about 2^-bits: the sum of the errors of the turns. `quaternion` may be `angles`. */
 static void angles_rotation(fmpq *quaternion, mpfr_t error, const angle_order *order,
-                            const fmpq *degrees, slong bits) {
+                            const fmpq *angles, slong bits) {
     LOCAL_VEC(fmpq, product, 4);
     LOCAL_VEC(fmpq, f, 2);
     fmpq *one = f + 1;
@@ -64,7 +81,9 @@ static void angles_rotation(fmpq *quaternion, mpfr_t error, const angle_order *o
     fmpq_one(one);
     fmpq_one(product);
     for (int k = 0; k < 3; k++) {
-        divide_by(f, degrees + k, 720);
+        divide_by(f, angles + k, order->radians ? 4 : 720);
+        if (order->radians)
+            divide_by_pi(f, error);
         half_angle_dyadic(&h, f, one, bits);
         half_angle_error(part, &h, f, one);
         mpfr_add(error, error, part, MPFR_RNDU);
@@ -175,6 +194,8 @@ static void report_turned(text *t, const pose_list *list, const angle_order *ord
                           const mpfr_t worst) {
     if (list->form == POSES_OF_AXES)
         text_put(t, "axes: each rotation is the least one from (0, 0, 1) to the tool's axis");
+    else if (order->radians)
+        text_put(t, "angles: in radians, about z");
     else
         text_format(t,
                     "angles: in degrees, in the order of %s: about fixed axes, first %s about %c, "

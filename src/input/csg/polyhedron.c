@@ -1,4 +1,4 @@
-/* Convex polyhedra of curved solids as intersections of half-spaces.
+/* Polyhedra of curved solids, of half-spaces.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Faces are cut into fans of triangles. If no point is beyond the plane of a triangle, and each
@@ -6,6 +6,12 @@
  * the boundary of the hull of the points equally often everywhere, at least once: they lie in it,
  * face outward, and their sum has no boundary. So the hull is the intersection of the half-spaces
  * of the triangles.
+ *
+ * Of a polyhedron that is not convex a point is part iff the ray downwards from it crosses an odd
+ * number of triangles, that is, iff it is in an odd number of the sets of points above a triangle,
+ * between the vertical planes through its edges. Where such a plane is no boundary of the
+ * polyhedron, its sign does not change the parity, since each edge is one of an even number of
+ * triangles.
  */
 #include "input/csg/csg.h"
 
@@ -31,8 +37,9 @@ typedef struct faces {
     edge *edge;
     size_t edges;
     size_t *node, nodes;
-    int side;   /* the side of all planes on which the points are; 0: not known yet */
-    fmpq *form; /* 4: a plane n . x = c, and room for 6 more */
+    int side;    /* the side of all planes on which the points are; 0: not known yet */
+    int notched; /* 1: there are points on both sides */
+    fmpq *form;  /* 4: a plane n . x = c, and room for 6 more */
 } faces;
 
 static int edge_order(const void *left, const void *right) {
@@ -59,21 +66,17 @@ static int set_plane(faces *f, size_t a, size_t b, size_t c) {
     return !vector_is_zero(f->form, 3);
 }
 
-/* Check that the corners of the face lie in the plane f->form and that no point is on another side
- * of it than f->side, which is common to all planes. */
+/* Check that the corners of the face lie in the plane f->form, and note whether a point is on
+ * another side of it than f->side, which is common to all planes of a convex polyhedron. */
 static graze_status check_plane(faces *f, const json *face) {
     graze_context *context = f->r->context;
     for (size_t k = 0; k < face->count; k++)
         if (plane_side(f, f->corner[k]) != 0)
             return json_fail(context, GRAZE_EILLEGAL, face, "the face is not plane");
-    for (size_t k = 0; k < f->points; k++) {
+    for (size_t k = 0; k < f->points && !f->notched; k++) {
         int side = plane_side(f, k);
         f->side = f->side ? f->side : side;
-        if (side && side != f->side)
-            return json_fail(context, GRAZE_EILLEGAL, face,
-                             "point %zu is beyond the plane of the face; expected a convex "
-                             "polyhedron, its faces all clockwise or all counterclockwise",
-                             k);
+        f->notched = side && side != f->side;
     }
     return context_work(context, 8 * f->points);
 }
@@ -137,6 +140,38 @@ static graze_status check_closed(faces *f) {
     return GRAZE_OK;
 }
 
+/* Add the set above the triangle of three corners of the face at hand, whose plane is f->form. */
+static graze_status add_above(faces *f, size_t second) {
+    const int up = fmpq_sgn(f->form + 2);
+    const size_t corner[3] = {f->corner[0], f->corner[second], f->corner[second + 1]};
+    size_t part[4];
+    csg_linear_form(f->r->f, f->r, f->form, f->r->coordinate, f->form + 3);
+    TRY(csg_add_side(&part[3], f->r, up > 0));
+    fmpq_zero(f->form + 2);
+    for (int k = 0; k < 3; k++) {
+        const fmpq *a = f->point + 3 * corner[k], *b = f->point + 3 * corner[(k + 1) % 3];
+        fmpq_sub(f->form, b + 1, a + 1);
+        fmpq_sub(f->form + 1, a, b);
+        _fmpq_vec_dot(f->form + 3, f->form, a, 2);
+        csg_linear_form(f->r->f, f->r, f->form, f->r->coordinate, f->form + 3);
+        TRY(csg_add_side(&part[k], f->r, up < 0));
+    }
+    return csg_add_node(&f->node[f->nodes++], f->r, CSG_ALL, part, 4);
+}
+
+/* Replace the half-spaces by the sets above the triangles. */
+static graze_status add_notched(faces *f, const json *list) {
+    f->nodes = 0;
+    for (const json *face = list->first; face; face = face->next) {
+        TRY(read_corners(f, face));
+        for (size_t k = 1; k + 1 < face->count; k++)
+            if (set_plane(f, f->corner[0], f->corner[k], f->corner[k + 1]) &&
+                !fmpq_is_zero(f->form + 2))
+                TRY(add_above(f, k));
+    }
+    return GRAZE_OK;
+}
+
 static graze_status polyhedron_points(faces *f, const json *value) {
     HELD(csg_box, box);
     for (const json *item = value->first; item; item = item->next) {
@@ -160,7 +195,7 @@ static graze_status polyhedron_faces(size_t *node, faces *f, const json *points,
     LOCAL_VEC(fmpq, form, 10);
     FREED(size_t, corner, malloc((most + 1) * sizeof *corner));
     FREED(edge, sides, malloc((corners + 1) * sizeof *sides));
-    FREED(size_t, planes, malloc((list->count + 1) * sizeof *planes));
+    FREED(size_t, planes, malloc((corners + 1) * sizeof *planes));
     if (!corner || !sides || !planes)
         return context_fail(f->r->context, GRAZE_ESYSTEM, "out of memory for a polyhedron");
     f->points = points->count;
@@ -173,7 +208,9 @@ static graze_status polyhedron_faces(size_t *node, faces *f, const json *points,
     for (const json *face = list->first; face; face = face->next)
         TRY(read_face(f, face));
     TRY(check_closed(f));
-    return csg_add_node(node, f->r, CSG_ALL, f->node, f->nodes);
+    if (f->notched)
+        TRY(add_notched(f, list));
+    return csg_add_node(node, f->r, f->notched ? CSG_ODD : CSG_ALL, f->node, f->nodes);
 }
 
 graze_status csg_read_polyhedron(size_t *node, csg_reader *r, const json *value) {

@@ -37,6 +37,14 @@ int affine_orientation(const fmpq *map, int d) {
     return fmpq_sgn(determinant);
 }
 
+void affine_image(fmpq *out, const fmpq *map, const fmpq *point, int d) {
+    for (int i = 0; i < d; i++) {
+        fmpq_set(out + i, map + i * (d + 1) + d);
+        for (int j = 0; j < d; j++)
+            fmpq_addmul(out + i, map + i * (d + 1) + j, point + j);
+    }
+}
+
 void motion_destroy(graze_motion *motion) {
     for (size_t k = 0; k < motion->piece_count; k++) {
         fmpq_clear(motion->piece[k].lo);

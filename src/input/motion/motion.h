@@ -72,6 +72,8 @@ int point_map_scale(fmpz_poly_t out, const point_map *map);
 
 /** The sign of the determinant of an affine map as point_map_at gives it. */
 int affine_orientation(const fmpq *map, int d);
+/** The image of a point under such a map; `out` is not the point. */
+void affine_image(fmpq *out, const fmpq *map, const fmpq *point, int d);
 
 void motion_destroy(graze_motion *motion);
 

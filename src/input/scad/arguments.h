@@ -20,6 +20,7 @@ typedef enum scad_role {
     SCAD_REVOLUTION,
     SCAD_HULL,
     SCAD_MINKOWSKI,
+    SCAD_OFFSET,
     SCAD_CUBE,
     SCAD_SPHERE,
     SCAD_CYLINDER,
@@ -41,12 +42,18 @@ typedef struct scad_node {
     size_t parent, first, last, next; /* 0: none */
 } scad_node;
 
+/** How many parts are left out for a reason, and the line of the first. */
+typedef struct scad_nothing {
+    size_t parts, first;
+} scad_nothing;
+
 /** A file: node 0 is the union of what it holds; a node stands before its children. */
 typedef struct scad {
     const char *source; /* name of the file, borrowed, for messages */
     scad_node *node;
-    size_t count, capacity, root;  /* the root is node 0 or the first one with `!` */
-    size_t nothing, first_nothing; /* parts that are empty by themselves, and a line of one */
+    size_t count, capacity, root; /* the root is node 0 or the first one with `!` */
+    scad_nothing nothing, mixed;  /* parts that are empty by themselves, and of another dimension
+                                   * than what stands before them */
 } scad;
 
 /**

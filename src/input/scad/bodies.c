@@ -3,6 +3,8 @@
  */
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
+#include "input/csg/csg.h"
 #include "input/scad/arguments.h"
 #include "input/scad/hull.h"
 #include "input/scad/writer.h"
@@ -129,27 +131,136 @@ static graze_status write_polyhedron(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
-static graze_status write_hull(scad_writer *w, const scad_place *p) {
-    ZEROED(hull_points, points);
-    ZEROED(hull_faces, faces);
-    TRY(scad_known(p, "convexity"));
-    TRY(scad_hull(&points, &faces, w, p));
-    scad_open(w, p, "polyhedron", '{');
+/* Write the points over, under and in a convex polygon, within `radius` of its plane: in the frame
+ * of its first edge u, of n x u and of its normal n, with corner 0 as the origin. */
+static void put_plate(scad_writer *w, const scad_place *p, const hull_points *s,
+                      const fmpq_t radius) {
+    LOCAL_VEC(fmpq, v, 22);
+    fmpq *frame = v, *from = v + 12, *x = v + 15, *height = v + 18, *square = v + 20;
+    vector_sub(frame, s->at + 3, s->at, 3);
+    vector_sub(from, s->at + 6, s->at, 3);
+    vector_cross(frame + 6, frame, from);
+    vector_cross(frame + 3, frame + 6, frame);
+    scad_open(w, p, "affine", '{');
+    json_open(&w->json, "matrix", '[');
+    for (int i = 0; i < 3; i++)
+        json_form(json_begin(&w->json, NULL), "[%,%,%,%]", frame + i, frame + 3 + i, frame + 6 + i,
+                  s->at + i);
+    json_close(&w->json, ']');
+    w->key = "of";
+    scad_open(w, p, "intersection", '[');
+    scad_open(w, p, "polygon", '{');
     json_open(&w->json, "points", '[');
-    for (size_t k = 0; k < points.count; k++) {
-        json_point(&w->json, NULL, points.at + 3 * k, 3);
-        scad_hold(w->reach, points.at + 3 * k, 3);
+    for (size_t k = 0; k < s->count; k++) {
+        vector_sub(from, s->at + 3 * k, s->at, 3);
+        for (int i = 0; i < 2; i++) {
+            _fmpq_vec_dot(x + i, frame + 3 * i, from, 3);
+            _fmpq_vec_dot(square, frame + 3 * i, frame + 3 * i, 3);
+            fmpq_div(x + i, x + i, square);
+        }
+        json_point(&w->json, NULL, x, 2);
     }
     json_close(&w->json, ']');
+    _fmpq_vec_dot(square, frame + 6, frame + 6, 3);
+    fmpq_div(square, radius, square);
+    fmpq_mul(square, square, radius);
+    csg_upper_root(height + 1, square);
+    fmpq_neg(height, height + 1);
+    fmpq_neg(square, square);
+    json_point(&w->json, "extrude", height, 2);
+    scad_end(w, p);
+    scad_open(w, p, "quadric", '{');
+    json_form(json_begin(&w->json, "0,0,2"), "\"1\",\"0,0,0\":%", square);
+    scad_end(w, p);
+    json_ends(&w->json, "]}}}");
+}
+
+graze_status scad_put_segment(scad_writer *w, const scad_place *p, const fmpq *a, const fmpq *b,
+                              const fmpq_t radius) {
+    int d = w->form == SCAD_PRISM ? 2 : w->dimension, same = vector_compare(a, b, d) == 0;
+    ZEROED(hull_points, side);
+    LOCAL_VEC(fmpq, x, 3);
+    if (w->form != SCAD_PRISM) {
+        scad_open(w, p, same ? "ball" : "capsule", '{');
+        json_point(&w->json, same ? "center" : "point", a, d);
+        vector_sub(x, b, a, d);
+        if (!same)
+            json_point(&w->json, "axis", x, d);
+        json_rational(&w->json, "radius", radius);
+        scad_end(w, p);
+        return GRAZE_OK;
+    }
+    fmpq_sub(x, w->height + 1, w->height);
+    scad_open(w, p, "cylinder", '{');
+    json_form(json_begin(&w->json, "point"),
+              "[%,%,%],\"axis\":[\"0\",\"0\",%],\"radius\":%,\"from\":0,\"to\":1", a, a + 1,
+              w->height, x, radius);
+    scad_end(w, p);
+    for (int k = 0; k < 4; k++) {
+        vector_set(x, k == 0 || k == 3 ? a : b, 2);
+        fmpq_set(x + 2, w->height + k / 2);
+        TRY(hull_add_point(&side, w->context, x, "the points of a hull"));
+    }
+    if (!same)
+        put_plate(w, p, &side, radius);
+    return GRAZE_OK;
+}
+
+/* Write the polyhedron of a hull. */
+static void put_hull(scad_writer *w, const scad_place *p, const scad_shape *s) {
+    scad_open(w, p, "polyhedron", '{');
+    json_open(&w->json, "points", '[');
+    for (size_t k = 0; k < s->points.count; k++)
+        json_point(&w->json, NULL, s->points.at + 3 * k, 3);
+    json_close(&w->json, ']');
     json_open(&w->json, "faces", '[');
-    for (size_t k = 0; k < faces.count; k++) {
+    for (size_t k = 0; k < s->faces.count; k++) {
         json_open(&w->json, NULL, '[');
         for (int i = 0; i < 3; i++)
-            json_count(&w->json, NULL, faces.item[k].corner[i]);
+            json_count(&w->json, NULL, s->faces.item[k].corner[i]);
         json_close(&w->json, ']');
     }
     json_close(&w->json, ']');
     scad_end(w, p);
+}
+
+/* Write the points within the radius of a hull: its own, and those of its faces and edges, but of
+ * no edge between faces in one plane. */
+static graze_status put_round_hull(scad_writer *w, const scad_place *p, const scad_shape *s) {
+    const hull_points *all = &s->points;
+    if (s->faces.count == 0)
+        return scad_put_segment(w, p, all->at, all->at + 3 * (all->count - 1), s->radius);
+    scad_open(w, p, "union", '[');
+    put_hull(w, p, s);
+    for (size_t k = 0; k < 3 * s->faces.count; k++) {
+        const size_t *corner = s->faces.item[k / 3].corner, a = corner[k % 3];
+        const size_t b = corner[(k + 1) % 3];
+        ZEROED(hull_points, face);
+        for (int i = 0; i < 3 && k % 3 == 0; i++)
+            TRY(hull_add_point(&face, w->context, all->at + 3 * corner[i], "a face of a hull"));
+        if (k % 3 == 0)
+            put_plate(w, p, &face, s->radius);
+        for (size_t i = 0; i < 3 * s->faces.count && a < b; i++) {
+            const size_t *other = s->faces.item[i / 3].corner;
+            if (other[i % 3] == b && other[(i + 1) % 3] == a &&
+                hull_side(all, corner, other[(i + 2) % 3]) != 0)
+                TRY(scad_put_segment(w, p, all->at + 3 * a, all->at + 3 * b, s->radius));
+        }
+        TRY(context_work(w->context, 4 * s->faces.count));
+    }
+    json_ends(&w->json, "]}");
+    return GRAZE_OK;
+}
+
+static graze_status write_hull(scad_writer *w, const scad_place *p) {
+    HELD(scad_shape, s);
+    TRY(scad_hull(&s, w, p));
+    for (size_t k = 0; k < s.points.count; k++)
+        scad_hold(w->reach, s.points.at + 3 * k, 3);
+    fmpq_add(w->reach, w->reach, s.radius);
+    if (!fmpq_is_zero(s.radius))
+        return put_round_hull(w, p, &s);
+    put_hull(w, p, &s);
     return GRAZE_OK;
 }
 

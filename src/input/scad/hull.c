@@ -73,9 +73,7 @@ graze_status hull_of_plane(hull_points *p, graze_context *context) {
     return keep_points(p, context, chain, count);
 }
 
-/* The side of the plane of three points on which a point is: 1 before it, seen from where they go
- * round counterclockwise. */
-static int hull_side(const hull_points *p, const size_t *corner, size_t point) {
+int hull_side(const hull_points *p, const size_t *corner, size_t point) {
     LOCAL_VEC(fmpq, v, 12);
     const fmpq *from = p->at + 3 * corner[0];
     vector_sub(v, p->at + 3 * corner[1], from, 3);
@@ -93,16 +91,19 @@ static graze_status add_hull_face(hull_faces *f, graze_context *context, size_t 
     return GRAZE_OK;
 }
 
-/* Begin with a tetrahedron; its corners become points 0 to 3. */
+/* Begin with a tetrahedron; its corners become points 0 to 3. None is made of points on a line. */
 static graze_status begin_hull(hull_faces *f, hull_points *p, graze_context *context) {
-    size_t corner[4] = {0, 1, 2, 3};
+    size_t corner[4] = {0, 1, 2, 2};
     while (corner[2] < p->count && vector_collinear(p->at, p->at + 3, p->at + 3 * corner[2]))
         corner[2]++;
-    corner[3] = 2;
     while (corner[3] < p->count && corner[2] < p->count && hull_side(p, corner, corner[3]) == 0)
         corner[3]++;
-    if (corner[3] >= p->count || corner[2] >= p->count)
-        return context_fail(context, GRAZE_EINTERNAL, "the points of a hull are in one plane");
+    if (corner[2] >= p->count)
+        return GRAZE_OK;
+    if (corner[3] >= p->count)
+        return context_fail(context, GRAZE_EINPUT,
+                            "the centres of a hull's balls are in one plane; expected them on a "
+                            "line, or one outside of the plane");
     int before = hull_side(p, corner, corner[3]) > 0;
     const size_t a = corner[before], b = corner[!before], c = corner[2], d = corner[3];
     TRY(add_hull_face(f, context, a, b, c));
@@ -162,6 +163,8 @@ graze_status hull_of_space(hull_faces *faces, hull_points *p, graze_context *con
             TRY(numbers_add(&once, context, k, "the points of a hull"));
     TRY(keep_points(p, context, once.item, once.count));
     TRY(begin_hull(faces, p, context));
+    if (faces->count == 0)
+        return keep_points(p, context, (size_t[]){0, p->count - 1}, p->count > 1 ? 2 : 1);
     for (size_t k = 0; k < p->count; k++) {
         TRY(insert_point(faces, p, context, k));
         work += SIDE_WORK * faces->count;

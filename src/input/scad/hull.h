@@ -1,8 +1,10 @@
-/* Convex hulls of points, for hull and minkowski of OpenSCAD's files.
+/* Convex hulls of points, for hull, minkowski and offset of OpenSCAD's files.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The hull of flat parts is that of their vertices, and the Minkowski sum of convex ones is the
- * hull of the sums of their vertices, one of each.
+ * hull of the sums of their vertices, one of each. With a ball the sum is the union of what is flat
+ * and of the points that are within the radius of an edge or a face; so is the hull of equal balls
+ * about the hull of their centres.
  */
 #ifndef GRAZE_INPUT_SCAD_HULL_H
 #define GRAZE_INPUT_SCAD_HULL_H
@@ -45,20 +47,39 @@ void hull_faces_clear(hull_faces *f);
  */
 graze_status hull_of_plane(hull_points *p, graze_context *context);
 
+/** The side of the plane of three points on which a point is: 1 before it, seen from where they go
+ * round counterclockwise. */
+int hull_side(const hull_points *p, const size_t *corner, size_t point);
+
 /**
- * Keep of points of space, which are not all in one plane, the corners of their hull and find its
- * faces.
- * @param[out] faces zero at first; the caller clears it, also after a failure
- * @return GRAZE_ELIMIT `work`; GRAZE_ECANCELED; GRAZE_ESYSTEM
+ * Keep of points of space the corners of their hull and find its faces.
+ * @param[out] faces zero at first; none if the points are on a line, of which the ends stay
+ * @return GRAZE_EINPUT they are in one plane; GRAZE_ELIMIT `work`; GRAZE_ECANCELED; GRAZE_ESYSTEM
  */
 graze_status hull_of_space(hull_faces *faces, hull_points *p, graze_context *context);
 
+/** The points within `radius` of a polyhedron, or of a polygon; below 0 those of it that are not
+ * within -radius of its boundary. */
+typedef struct scad_shape {
+    hull_points points;
+    hull_faces faces; /* as of hull_of_space; none in the plane */
+    numbers end;      /* of the plane: one past the last point of a ring */
+    fmpq_t radius;
+} scad_shape;
+
+void scad_shape_init(scad_shape *s);
+void scad_shape_clear(scad_shape *s);
+
 /**
- * Find the hull, or the Minkowski sum, of a node's children.
- * @param[out] points, faces zero at first; the caller clears them, also after a failure. There are
- * no faces in the plane
- * @return GRAZE_EINPUT a part is curved, or of a sum not convex
+ * Find the hull, the Minkowski sum, or the offset of a node's children.
+ * @param[out] out as initialised
+ * @return GRAZE_EINPUT a part is neither flat nor round, or of a sum not convex
  */
-graze_status scad_hull(hull_points *points, hull_faces *faces, scad_writer *w, const scad_place *p);
+graze_status scad_hull(scad_shape *out, scad_writer *w, const scad_place *p);
+
+/** Write the points within `radius` of the segment from a to b; within a prism those of a disk
+ * about a, and between a and b. */
+graze_status scad_put_segment(scad_writer *w, const scad_place *p, const fmpq *a, const fmpq *b,
+                              const fmpq_t radius);
 
 #endif

@@ -5,7 +5,7 @@
 #include "base/context/scope.h"
 #include "input/scad/arguments.h"
 
-/* The least sign of an argument's numbers; 0 for infinity and what is no number, as OpenSCAD has
+/* The least sign of an argument's numbers; -1 for infinity and what is no number, as OpenSCAD has
  * it, and 1 where the argument is not as expected, which is refused later. */
 static int least_sign(const scad_place *p, const char *name) {
     field value, item;
@@ -19,16 +19,20 @@ static int least_sign(const scad_place *p, const char *name) {
         int broken = field_is(item, "inf") || field_is(item, "-inf") || field_is(item, "nan");
         if (!broken && scad_number(number, p, item))
             return 1;
-        int sign = broken ? 0 : fmpq_sgn(number);
+        int sign = broken ? -1 : fmpq_sgn(number);
         least = sign < least ? sign : least;
     }
     return least;
 }
 
-/* Whether an argument is given that is no empty list. */
-static int has_items(const scad_place *p, const char *name) {
+/* The number of items of an argument that is a list, else 0. */
+static size_t count_items(const scad_place *p, const char *name) {
     field value, item;
-    return scad_value(&value, p, name) && !scad_list(&value, p, value) && scad_item(&item, &value);
+    size_t count = 0;
+    if (scad_value(&value, p, name) && !scad_list(&value, p, value))
+        while (scad_item(&item, &value))
+            count++;
+    return count;
 }
 
 /* Whether a map is singular, one of the plane in x and y. */
@@ -62,9 +66,9 @@ int scad_is_nothing(const scad_place *p) {
         return least_sign(p, "h") <= 0 || least_sign(p, "r1") < 0 || least_sign(p, "r2") < 0 ||
                (least_sign(p, "r1") == 0 && least_sign(p, "r2") == 0);
     case SCAD_POLYHEDRON:
-        return !has_items(p, "points") || !has_items(p, "faces");
+        return count_items(p, "points") == 0 || count_items(p, "faces") == 0;
     case SCAD_POLYGON:
-        return !has_items(p, "points");
+        return count_items(p, "points") < 3;
     case SCAD_EXTRUSION:
         return least_sign(p, "height") == 0;
     case SCAD_REVOLUTION:

@@ -5,22 +5,12 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "input/csg/csg.h"
 #include "input/motion/motion.h"
 #include "input/scad/arguments.h"
 #include "input/scad/hull.h"
 #include "input/scad/writer.h"
-
-/* Rings of points, to which the writer's map has been applied. */
-typedef struct rings {
-    hull_points points;
-    numbers end; /* one past the last point of a ring */
-} rings;
-
-static void rings_clear(rings *r) {
-    hull_points_clear(&r->points);
-    numbers_clear(&r->end);
-}
 
 /* The image of (x, y) under the writer's map. */
 static void map_point(fmpq *out, const scad_writer *w, const fmpq *x) {
@@ -31,19 +21,19 @@ static void map_point(fmpq *out, const scad_writer *w, const fmpq *x) {
     }
 }
 
-static graze_status take_corner(rings *r, scad_writer *w, const fmpq *x) {
+static graze_status take_corner(scad_shape *r, scad_writer *w, const fmpq *x) {
     LOCAL_VEC(fmpq, image, 3);
     map_point(image, w, x);
     scad_hold(w->reach, x, 2);
     return hull_add_point(&r->points, w->context, image, "the points of a polygon");
 }
 
-static graze_status end_ring(rings *r, scad_writer *w) {
+static graze_status end_ring(scad_shape *r, scad_writer *w) {
     return numbers_add(&r->end, w->context, r->points.count, "the rings of a polygon");
 }
 
-/* Read a ring of points by their numbers. */
-static graze_status read_path(rings *r, scad_writer *w, const scad_place *p, field path,
+/* Read a ring of points, to which the writer's map is applied, by their numbers. */
+static graze_status read_path(scad_shape *r, scad_writer *w, const scad_place *p, field path,
                               const fmpq *point, size_t count) {
     field rest, item;
     TRY(scad_list(&rest, p, path));
@@ -55,7 +45,7 @@ static graze_status read_path(rings *r, scad_writer *w, const scad_place *p, fie
     return end_ring(r, w);
 }
 
-static graze_status scad_polygon(rings *r, scad_writer *w, const scad_place *p) {
+static graze_status read_polygon(scad_shape *r, scad_writer *w, const scad_place *p) {
     field list, value, rest, item;
     size_t count = 0;
     TRY(scad_known(p, "points paths convexity"));
@@ -79,7 +69,7 @@ static graze_status scad_polygon(rings *r, scad_writer *w, const scad_place *p) 
     return GRAZE_OK;
 }
 
-static graze_status read_square(rings *r, scad_writer *w, const scad_place *p) {
+static graze_status read_square(scad_shape *r, scad_writer *w, const scad_place *p) {
     LOCAL_VEC(fmpq, low, 6);
     fmpq *high = low + 2, *corner = low + 4;
     TRY(scad_box(low, high, w, p, 2));
@@ -91,18 +81,21 @@ static graze_status read_square(rings *r, scad_writer *w, const scad_place *p) {
     return end_ring(r, w);
 }
 
-/* The hull, or the sum, of the parts of a node. */
-static graze_status read_hull(rings *r, scad_writer *w, const scad_place *p) {
-    ZEROED(hull_points, points);
-    ZEROED(hull_faces, none);
-    TRY(scad_known(p, "convexity"));
-    TRY(scad_hull(&points, &none, w, p));
-    for (size_t k = 0; k < points.count; k++)
-        TRY(take_corner(r, w, points.at + 3 * k));
-    return end_ring(r, w);
+/* The hull, the sum, or the offset of the parts of a node. */
+static graze_status read_hull(scad_shape *r, scad_writer *w, const scad_place *p) {
+    LOCAL_VEC(fmpq, x, 2);
+    TRY(scad_hull(r, w, p));
+    for (size_t k = 0; k < r->points.count; k++) {
+        vector_set(x, r->points.at + 3 * k, 2);
+        map_point(r->points.at + 3 * k, w, x);
+        scad_hold(w->reach, x, 2);
+    }
+    fmpq_abs(x, r->radius);
+    fmpq_add(w->reach, w->reach, x);
+    return GRAZE_OK;
 }
 
-static graze_status read_sided_circle(rings *r, scad_writer *w, const scad_place *p) {
+static graze_status read_sided_circle(scad_shape *r, scad_writer *w, const scad_place *p) {
     LOCAL_VEC(fmpq, v, 3);
     size_t sides;
     TRY(scad_known(p, "r"));
@@ -115,12 +108,12 @@ static graze_status read_sided_circle(rings *r, scad_writer *w, const scad_place
     return end_ring(r, w);
 }
 
-static graze_status read_rings(rings *r, scad_writer *w, const scad_place *p) {
+static graze_status read_rings(scad_shape *r, scad_writer *w, const scad_place *p) {
     scad_role role = p->file->node[p->node].role;
     return role == SCAD_SQUARE   ? read_square(r, w, p)
            : role == SCAD_CIRCLE ? read_sided_circle(r, w, p)
            : role < SCAD_CUBE    ? read_hull(r, w, p)
-                                 : scad_polygon(r, w, p);
+                                 : read_polygon(r, w, p);
 }
 
 /* A square as a box. */
@@ -135,29 +128,51 @@ static graze_status write_square(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
-static void put_scad_ring(scad_writer *w, const char *key, const rings *r, size_t ring) {
+static void put_scad_ring(scad_writer *w, const char *key, const scad_shape *r, size_t ring) {
     json_open(&w->json, key, '[');
     for (size_t k = ring ? r->end.item[ring - 1] : 0; k < r->end.item[ring]; k++)
         json_point(&w->json, NULL, r->points.at + 3 * k, 2);
     json_close(&w->json, ']');
 }
 
-static graze_status write_polygon(scad_writer *w, const scad_place *p) {
-    ZEROED(rings, r);
-    TRY(read_rings(&r, w, p));
+static void put_rings(scad_writer *w, const scad_place *p, const scad_shape *r) {
     scad_open(w, p, "polygon", '{');
-    put_scad_ring(w, "points", &r, 0);
-    if (r.end.count > 1)
+    put_scad_ring(w, "points", r, 0);
+    if (r->end.count > 1)
         json_open(&w->json, "holes", '[');
-    for (size_t k = 1; k < r.end.count; k++)
-        put_scad_ring(w, NULL, &r, k);
-    if (r.end.count > 1)
+    for (size_t k = 1; k < r->end.count; k++)
+        put_scad_ring(w, NULL, r, k);
+    if (r->end.count > 1)
         json_close(&w->json, ']');
     if (w->form == SCAD_PRISM)
         json_point(&w->json, "extrude", w->height, 2);
     if (w->form == SCAD_REVOLVED)
         json_count(&w->json, "revolve", 1);
     scad_end(w, p);
+}
+
+static graze_status write_polygon(scad_writer *w, const scad_place *p) {
+    HELD(scad_shape, r);
+    LOCAL(fmpq, radius);
+    TRY(read_rings(&r, w, p));
+    if (fmpq_is_zero(r.radius)) {
+        put_rings(w, p, &r);
+        return GRAZE_OK;
+    }
+    if (w->form == SCAD_REVOLVED)
+        return scad_fail(p, GRAZE_EINPUT, "round, and revolved; expected flat parts, or no turn");
+    fmpq_abs(radius, r.radius);
+    scad_open(w, p, fmpq_sgn(r.radius) < 0 ? "difference" : "union", '[');
+    if (r.points.count > 2)
+        put_rings(w, p, &r);
+    for (size_t k = 0, ring = 0, first = 0; k < r.points.count; k++) {
+        size_t last = k + 1 == r.end.item[ring], next = last ? first : k + 1;
+        if (r.points.count != 2 || k == 0 || w->form == SCAD_PRISM)
+            TRY(scad_put_segment(w, p, r.points.at + 3 * k, r.points.at + 3 * next, radius));
+        ring += last;
+        first = last ? k + 1 : first;
+    }
+    json_ends(&w->json, "]}");
     return GRAZE_OK;
 }
 
@@ -222,17 +237,6 @@ static graze_status put_revolved(scad_writer *w, const scad_place *p, const fmpq
     return GRAZE_OK;
 }
 
-/* Write the cylinder over a circle about the origin. */
-static void put_disk_prism(scad_writer *w, const scad_place *p, const fmpq_t radius) {
-    LOCAL(fmpq, length);
-    fmpq_sub(length, w->height + 1, w->height);
-    scad_open(w, p, "cylinder", '{');
-    json_form(json_begin(&w->json, "point"),
-              "[\"0\",\"0\",%],\"axis\":[\"0\",\"0\",%],\"radius\":%,\"from\":0,\"to\":1",
-              w->height, length, radius);
-    scad_end(w, p);
-}
-
 static graze_status read_circle(fmpq_t radius, scad_writer *w, const scad_place *p) {
     TRY(scad_known(p, "r"));
     TRY(scad_size(radius, p, "r"));
@@ -246,7 +250,7 @@ static graze_status write_circle(scad_writer *w, const scad_place *p) {
     if (w->form == SCAD_REVOLVED)
         return put_revolved(w, p, radius);
     if (w->form == SCAD_PRISM) {
-        put_disk_prism(w, p, radius);
+        TRY(scad_put_segment(w, p, w->height + 2, w->height + 2, radius));
         return GRAZE_OK;
     }
     scad_open(w, p, "ball", '{');
@@ -256,7 +260,7 @@ static graze_status write_circle(scad_writer *w, const scad_place *p) {
 }
 
 graze_status scad_outline_extent(fmpq *low_high, scad_writer *w, const scad_place *p) {
-    ZEROED(rings, r);
+    HELD(scad_shape, r);
     fmpq *low = low_high, *high = low_high + 1;
     size_t sides = 1;
     if (p->file->node[p->node].role == SCAD_CIRCLE)

@@ -17,7 +17,9 @@ graze_status scad_sides(size_t *sides, const scad_writer *w, const scad_place *p
     LOCAL(fmpz, whole);
     unsigned long most = w->context->limits[GRAZE_LIMIT_CELLS];
     *sides = 0;
-    if (scad_value(&value, p, "$fn"))
+    if (scad_value(&value, p, "$fn") && (field_is(value, "inf") || field_is(value, "nan")))
+        fmpq_one(given); /* three sides, as OpenSCAD has it */
+    else if (scad_value(&value, p, "$fn"))
         TRY(scad_number(given, p, value));
     if (fmpq_sgn(given) <= 0)
         return GRAZE_OK;

@@ -33,6 +33,7 @@ static const struct {
              {"rotate_extrude", SCAD_REVOLUTION},
              {"hull", SCAD_HULL},
              {"minkowski", SCAD_MINKOWSKI},
+             {"offset", SCAD_OFFSET},
              {"cube", SCAD_CUBE},
              {"sphere", SCAD_SPHERE},
              {"cylinder", SCAD_CYLINDER},
@@ -190,7 +191,7 @@ static graze_status take_parts(scad *file, graze_context *context) {
         if (r == known)
             return scad_fail(&(scad_place){file, context, k}, GRAZE_EINPUT,
                              "not taken; expected cubes, spheres, "
-                             "cylinders, convex polyhedra, squares, circles and polygons, moved, "
+                             "cylinders, polyhedra, squares, circles and polygons, moved, "
                              "combined and extruded");
         n->role = roles[r].role;
         if (n->first && n->role >= SCAD_CUBE)
@@ -212,46 +213,42 @@ size_t scad_first(const scad *file, size_t node) {
     return child && file->node[child].absent ? scad_next(file, child) : child;
 }
 
-/* Take a node as empty if it is so by itself. */
-static void take_nothing(scad *file, graze_context *context, size_t k) {
-    scad_node *n = &file->node[k];
-    if (n->empty || !scad_is_nothing(&(scad_place){file, context, k}))
+/* Take a node as empty, which counts. */
+static void take_nothing(scad_nothing *count, scad_node *n) {
+    if (n->empty)
         return;
     n->empty = 1;
-    file->nothing++;
-    file->first_nothing = n->line;
+    count->first = count->parts++ && count->first < n->line ? count->first : n->line;
 }
 
-/* Find whether a node is empty, and its dimension, from its children. */
-static graze_status take_dimension(scad *file, graze_context *context, size_t k) {
+/* Take a node that is empty by itself as empty. */
+static void take_if_nothing(scad *file, graze_context *context, size_t k) {
+    if (!file->node[k].empty && scad_is_nothing(&(scad_place){file, context, k}))
+        take_nothing(&file->nothing, &file->node[k]);
+}
+
+/* Find whether a node is empty, and its dimension, from its children. Those of another dimension
+ * than the first one, in an extrusion those of space, are empty, as OpenSCAD has it. */
+static void take_dimension(scad *file, graze_context *context, size_t k) {
     scad_node *n = &file->node[k];
-    if (n->role >= SCAD_CUBE) {
-        n->dimension = n->role < SCAD_SQUARE ? 3 : 2;
-        take_nothing(file, context, k);
-        return GRAZE_OK;
-    }
+    int extruded = n->role == SCAD_EXTRUSION || n->role == SCAD_REVOLUTION, some = 0, held = 0;
+    int flat = extruded || n->role == SCAD_OFFSET;
     size_t first = scad_first(file, k);
-    n->empty = !first || (n->role == SCAD_DIFFERENCE && file->node[first].empty);
-    int some = 0;
+    n->dimension = n->role >= SCAD_SQUARE || flat ? 2 : n->role >= SCAD_CUBE ? 3 : 0;
     for (size_t c = first; c; c = scad_next(file, c)) {
-        const scad_node *child = &file->node[c];
+        scad_node *child = &file->node[c];
+        n->dimension = n->dimension ? n->dimension : child->dimension;
+        if (child->dimension && child->dimension != n->dimension)
+            take_nothing(&file->mixed, child);
+        held |= child->dimension && child->dimension == n->dimension;
         n->empty |= n->role == SCAD_INTERSECTION && child->empty;
         some |= !child->empty;
-        if (n->dimension && child->dimension && n->dimension != child->dimension)
-            return scad_fail(&(scad_place){file, context, c}, GRAZE_EINPUT,
-                             "it has dimension %d; expected %d, as what stands before it",
-                             child->dimension, n->dimension);
-        n->dimension = child->dimension ? child->dimension : n->dimension;
     }
-    n->empty |= !some;
-    take_nothing(file, context, k);
-    if (n->role != SCAD_EXTRUSION && n->role != SCAD_REVOLUTION)
-        return GRAZE_OK;
-    if (n->dimension == 3)
-        return scad_fail(&(scad_place){file, context, k}, GRAZE_EINPUT,
-                         "expected nodes of the plane in it");
-    n->dimension = n->dimension ? 3 : 0;
-    return GRAZE_OK;
+    n->empty |=
+        n->role < SCAD_CUBE && (!some || (n->role == SCAD_DIFFERENCE && file->node[first].empty));
+    take_if_nothing(file, context, k);
+    if (extruded)
+        n->dimension = held ? 3 : 0;
 }
 
 graze_status scad_parse(scad *out, graze_context *context, const char *source, const char *text,
@@ -262,7 +259,7 @@ graze_status scad_parse(scad *out, graze_context *context, const char *source, c
     TRY(take_parts(out, context));
     for (size_t k = out->count; k-- > 0;)
         if (!out->node[k].absent)
-            TRY(take_dimension(out, context, k));
+            take_dimension(out, context, k);
     if (out->node[out->root].empty)
         return context_fail_in(context, GRAZE_EILLEGAL, source, 0,
                                "empty; expected a solid of OpenSCAD");

@@ -141,59 +141,79 @@ static graze_status find_side(scad_writer *w, const scad_place *p) {
 }
 
 /* Write the half-space on the left of a direction, in eighths of a turn, or on its right. */
-static void put_wedge_side(scad_writer *w, int direction, int right) {
-    static const int x[] = {1, 1, 0, -1, -1, -1, 0, 1};
-    int sign = right ? -1 : 1;
-    text_format(json_begin(&w->json, NULL),
-                "{\"halfspace\":{\"normal\":[\"%d\",\"%d\",\"0\"],\"offset\":0}}",
-                sign * x[(direction + 6) % 8], -sign * x[direction % 8]);
+static void put_wedge_side(scad_writer *w, const fmpq_t eighths, int right) {
+    static const int corner[] = {1, 1, 0, -1, -1, -1, 0, 1};
+    LOCAL_VEC(fmpq, x, 3);
+    LOCAL_VEC(fmpz, turn, 2);
+    fmpz_mul_2exp(turn, fmpq_denref(eighths), 3);
+    fmpz_fdiv_r(turn + 1, fmpq_numref(eighths), turn);
+    ulong count = fmpz_get_ui(turn), k = fmpz_get_ui(turn + 1);
+    fmpq_one(x + 2);
+    if (count > 8)
+        scad_corner(x, k, count, x + 2);
+    for (int i = 0; i < 2 && count == 8; i++)
+        fmpq_set_si(x + i, corner[(k + 6 * (ulong)i) % 8], 1);
+    fmpq_neg(x + right, x + right);
+    json_form(json_begin(&w->json, NULL), "{\"halfspace\":{\"normal\":[%,%,\"0\"],\"offset\":0}}",
+              x + 1, x);
 }
 
 /* Write the points between two directions about the z axis, `count` eighths from `from` on. */
-static void put_wedge(scad_writer *w, int from, int count) {
+static void put_wedge(scad_writer *w, const fmpq_t from, const fmpq_t count) {
+    LOCAL(fmpq, to);
+    int half = fmpq_cmp_si(count, 4);
     json_open(&w->json, NULL, '{');
-    json_open(&w->json, count < 4 ? "intersection" : "union", '[');
+    json_open(&w->json, half < 0 ? "intersection" : "union", '[');
     put_wedge_side(w, from, 0);
-    if (count != 4)
-        put_wedge_side(w, from + count, 1);
+    fmpq_add(to, from, count);
+    if (half != 0)
+        put_wedge_side(w, to, 1);
     json_ends(&w->json, "]}");
 }
 
-/* Read an angle in eighths of a turn; `out` stays where none is given. */
-static graze_status read_eighths(int *out, const scad_place *p, const char *name) {
+/* Read an angle in eighths of a turn; `out` stays where none is given. Other parts of a turn are
+ * taken where rotations near maps are. */
+static graze_status read_eighths(fmpq_t out, scad_writer *w, const scad_place *p,
+                                 const char *name) {
     field value;
-    LOCAL(fmpq, angle);
     if (!scad_value(&value, p, name))
         return GRAZE_OK;
-    TRY(scad_number(angle, p, value));
-    fmpz_mul_ui(fmpq_denref(angle), fmpq_denref(angle), 45);
-    fmpq_canonicalise(angle);
-    if (!fmpz_is_one(fmpq_denref(angle)) || fmpz_cmp_si(fmpq_numref(angle), 8) > 0 ||
-        fmpz_cmp_si(fmpq_numref(angle), -8) < 0)
+    TRY(scad_number(out, p, value));
+    fmpz_mul_ui(fmpq_denref(out), fmpq_denref(out), 45);
+    fmpq_canonicalise(out);
+    int near = !fmpz_is_one(fmpq_denref(out));
+    w->turned += (size_t)near;
+    if ((near && !w->choice->near_rotation) || fmpz_bits(fmpq_denref(out)) > 50 ||
+        fmpq_cmp_si(out, 8) > 0 || fmpq_cmp_si(out, -8) < 0)
         return scad_fail(p, GRAZE_EINPUT,
                          "only whole turns and eighths of a turn are taken; expected angle = 360, "
-                         "or multiples of 45 for angle and start");
-    *out = (int)fmpz_get_si(fmpq_numref(angle));
+                         "or multiples of 45 for angle and start, or near_rotation: graze convert "
+                         "--near-rotation takes other angles");
     return GRAZE_OK;
 }
 
 static graze_status write_revolution(scad_writer *w, const scad_place *p) {
-    size_t sides;
-    int count = 8, from = 0;
+    size_t sides, turned = w->turned;
+    LOCAL_VEC(fmpq, angle, 2);
+    fmpq *count = angle, *from = angle + 1;
+    fmpq_set_si(count, 8, 1);
     TRY(scad_known(p, "angle start convexity"));
     TRY(scad_sides(&sides, w, p));
     if (sides > 0)
         return scad_fail(p, GRAZE_EINPUT,
                          "a turn of %zu sides is not taken; expected --smooth of at most as many",
                          sides);
-    TRY(read_eighths(&count, p, "angle"));
-    if (count % 8)
-        TRY(read_eighths(&from, p, "start"));
+    TRY(read_eighths(count, w, p, "angle"));
+    int part = fmpq_cmp_si(count, 8) < 0 && fmpq_cmp_si(count, -8) > 0;
+    if (part)
+        TRY(read_eighths(from, w, p, "start"));
+    int near = w->turned > turned;
     TRY(find_side(w, p));
-    from += count < 0 ? count + 16 : 8;
-    from += fmpq_sgn(w->map) < 0 ? 4 : 0;
-    count = abs(count);
-    if (count < 8) {
+    if (fmpq_sgn(count) < 0)
+        fmpq_add(from, from, count);
+    fmpq_add_si(from, from, fmpq_sgn(w->map) < 0 ? 4 : 0);
+    fmpq_abs(count, count);
+    if (part) {
         scad_open(w, p, "intersection", '[');
         put_wedge(w, from, count);
     }
@@ -201,8 +221,12 @@ static graze_status write_revolution(scad_writer *w, const scad_place *p) {
     TRY(write_operands(w, p));
     w->form = SCAD_ITSELF;
     reset_map(w, 1);
-    if (count < 8)
+    if (part)
         json_ends(&w->json, "]}");
+    if (near) {
+        fmpq_div_2exp(angle, w->reach, 59); /* the wedge's sides are within 2^-60 */
+        fmpq_add(w->moved, w->moved, angle);
+    }
     return GRAZE_OK;
 }
 
@@ -264,31 +288,30 @@ static graze_status write_node(scad_writer *w, size_t node) {
         return write_prism(w, &p);
     if (role == SCAD_REVOLUTION)
         return write_revolution(w, &p);
-    int hull = role == SCAD_HULL || role == SCAD_MINKOWSKI;
-    if (role < SCAD_CUBE && !hull)
+    if (role < SCAD_HULL)
         return write_operands(w, &p);
     TRY(w->file->node[node].dimension == 3 ? scad_write_body(w, &p) : scad_write_outline(w, &p));
     return context_work(w->context, 16);
 }
 
 /* As scad_writer.part. Of the writer around it only what is counted changes. */
-static graze_status write_part(text *out, scad_writer *around, size_t node) {
-    LOCAL_VEC(fmpq, v, 10);
+static graze_status write_part(text *out, scad_writer *around, size_t node, int inner) {
+    LOCAL_VEC(fmpq, v, 12);
     scad_writer w = *around;
     w.json = (json_writer){.out = out};
     w.line = 1;
     w.key = "solid";
-    w.dimension = w.file->node[node].dimension;
+    w.dimension = inner ? 2 : w.file->node[node].dimension;
     w.form = SCAD_ITSELF;
     w.height = v;
-    w.map = v + 2;
-    w.reach = v + 8;
-    w.moved = v + 9;
+    w.map = v + 4;
+    w.reach = v + 10;
+    w.moved = v + 11;
     w.turned = w.round = w.sided = 0;
     reset_map(&w, 1);
     json_open(&w.json, NULL, '{');
     json_count(&w.json, "dimension", (unsigned long)w.dimension);
-    TRY(write_node(&w, node));
+    TRY(inner ? write_operands(&w, &(scad_place){w.file, w.context, node}) : write_node(&w, node));
     json_close(&w.json, '}');
     fmpq_add(around->moved, around->moved, w.moved);
     around->turned += w.turned;
@@ -301,7 +324,7 @@ static graze_status write_part(text *out, scad_writer *around, size_t node) {
 static void put_report(text *report, const scad_writer *w) {
     if (w->choice->smooth)
         text_format(report, "taken as round: %zu, with sides: %zu, as empty: %zu\n", w->round,
-                    w->sided, w->file->nothing);
+                    w->sided, w->file->nothing.parts);
     if (!w->choice->near_rotation)
         return;
     LOCAL(fmpq, factor);
@@ -314,6 +337,12 @@ static void put_report(text *report, const scad_writer *w) {
     text_put(report, "\n");
 }
 
+static void put_note(text *note, const scad_nothing *n, const char *what) {
+    if (n->parts)
+        text_format(note, "%sparts that are %s: %zu, in line %zu the first",
+                    note->length > 0 ? "; " : "", what, n->parts, n->first);
+}
+
 graze_status scad_write(text *out, text *report, text *note, graze_context *context,
                         const char *source, const char *bytes, size_t length,
                         const scad_choice *choice) {
@@ -322,13 +351,10 @@ graze_status scad_write(text *out, text *report, text *note, graze_context *cont
     TRY(scad_parse(&file, context, source, bytes, length));
     scad_writer w = {
         .file = &file, .context = context, .choice = choice, .moved = moved, .part = write_part};
-    TRY(write_part(out, &w, file.root));
+    TRY(write_part(out, &w, file.root, 0));
     text_put(out, "\n");
     put_report(report, &w);
-    if (file.nothing)
-        text_format(
-            note,
-            "parts that are empty, of size zero or by a singular map: %zu, in line %zu the first",
-            file.nothing, file.first_nothing);
+    put_note(note, &file.nothing, "empty, of size zero or by a singular map");
+    put_note(note, &file.mixed, "of another dimension than those before them, taken as empty");
     return GRAZE_OK;
 }

@@ -24,15 +24,15 @@ typedef struct scad_writer {
     const char *key; /* JSON key of the next node, NULL in a list */
     int dimension;   /* of the solid */
     scad_form form;
-    fmpq *height; /* 2: those of the prism's bottom and top */
+    fmpq *height; /* 4: those of the prism's bottom and top, and 0, 0 */
     fmpq *map;    /* 6, rows a b c of (a x + b y + c): within a revolution from the frame of the
                    * current node to that of the outline revolved; else the identity */
     fmpq *reach, *moved; /* bounds for the last node: how far points of its primitives are from the
                           * origin of its frame, and how far rotations taken move them */
     size_t turned;       /* maps replaced by rotations */
     size_t round, sided; /* parts with and without $fn that are round; those with sides */
-    /* Write a node as a solid of its own. */
-    graze_status (*part)(text *out, struct scad_writer *w, size_t node);
+    /* Write a node, or with `inner` the union of its children, as a solid of its own. */
+    graze_status (*part)(text *out, struct scad_writer *w, size_t node, int inner);
 } scad_writer;
 
 /** Begin a node in the line in which the file has it. `key` is its kind, whose value, an object or

@@ -3,6 +3,7 @@
  */
 #include "input/solid/solid.h"
 
+#include "base/context/scope.h"
 #include "input/validate/validate.h"
 
 solid_kind solid_kind_of(const graze_solid *solid) {
@@ -41,6 +42,20 @@ int solid_plane(fmpz *out, const graze_solid *solid, size_t simplex) {
 void solid_side(fmpz *out, const graze_solid *solid, size_t simplex, const fmpz *plane, int k) {
     skin s = solid_skin(solid);
     skin_side(out, &s, simplex, plane, k);
+}
+
+int solid_holds(unsigned *zero, const graze_solid *solid, size_t simplex, const fmpz *plane,
+                const fmpz *x) {
+    int d = solid->input.dimension, inside = 1;
+    LOCAL_VEC(fmpz, side, d + 1);
+    *zero = 0;
+    for (int k = 0; k < d && inside; k++) {
+        solid_side(side, solid, simplex, plane, k);
+        int sign = form_sign(side, x, d);
+        inside = sign >= 0;
+        *zero |= sign == 0 ? 1u << k : 0;
+    }
+    return inside;
 }
 
 /* In E^2 side k vanishes at vertex k. In E^3 side k vanishes on edge k, and two sides vanish at the

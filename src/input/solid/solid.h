@@ -182,6 +182,18 @@ int solid_plane(fmpz *out, const graze_solid *solid, size_t simplex);
  */
 void solid_side(fmpz *out, const graze_solid *solid, size_t simplex, const fmpz *plane, int k);
 
+/** Is a point of a simplex's plane in the simplex? If so, bit k of *zero is set where side form k
+ * vanishes.
+ * @param x d + 1 homogeneous integers */
+int solid_holds(unsigned *zero, const graze_solid *solid, size_t simplex, const fmpz *plane,
+                const fmpz *x);
+
+/** The coordinates of corner k of a simplex. */
+static inline const fmpq *solid_corner(const graze_solid *solid, size_t simplex, int k) {
+    return solid->input.coordinates +
+           solid->cut.item[simplex].vertex[k] * (size_t)solid->input.dimension;
+}
+
 /** The boundary cell of a simplex on which exactly the side forms vanish whose bits are set in
  * `zero`. The simplex's vertices name the cell; cut.names has the input's names
  * (src/input/soup/soup.h). */

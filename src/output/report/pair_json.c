@@ -89,12 +89,10 @@ static void put_closest(json_writer *w, const graze_pair *pair) {
 
 void pair_json(text *out, const graze_pair *pair) {
     json_writer w = {.out = out};
-    graze_pair_verdict verdict = collide_verdict(pair);
     const char next[] = {(char)collide_next(pair), '\0'};
     int first = pair->options.first;
-    int inside = first && pair->pair.complement && verdict == GRAZE_PAIR_CLEAR;
     json_open(&w, NULL, '{');
-    json_text(&w, "verdict", inside ? "inside" : pair_verdict_name(verdict));
+    json_text(&w, "verdict", pair_verdict_word(pair));
     json_text(&w, "word", pair->walk.word);
     if (first)
         json_text(&w, "next", *next ? next : NULL);

@@ -15,6 +15,12 @@ const char *pair_verdict_name(graze_pair_verdict verdict) {
                                            : "none";
 }
 
+const char *pair_verdict_word(const graze_pair *pair) {
+    graze_pair_verdict verdict = collide_verdict(pair);
+    int inside = pair->options.first && pair->pair.complement && verdict == GRAZE_PAIR_CLEAR;
+    return inside ? "inside" : pair_verdict_name(verdict);
+}
+
 const char *cell_pair_name(const graze_cell_pair *cells) {
     static const char *const names[4][4] = {{"", "", "", ""},
                                             {"", "facet-facet", "facet-edge", "facet-vertex"},
@@ -147,4 +153,20 @@ void pair_text(text *out, const graze_pair *pair) {
         tell_contact(out, pair, &pair->walk.contact[k]);
     if (pair->closest.time)
         tell_closest(out, pair);
+}
+
+void pair_fields(text *out, const graze_pair *pair) {
+    const pair_contact *c = pair->walk.contact_count && !pair->start ? pair->walk.contact : NULL;
+    const char next[] = {(char)collide_next(pair), '\0'};
+    text_format(out, "%s,%s,", pair_verdict_word(pair), pair->walk.word);
+    report_put_time_near(out, c ? c->from : pair->start);
+    text_put(out, ",");
+    if (pair->options.first)
+        text_format(out, "%s,", next);
+    for (size_t k = 0; c && k < c->cells.count; k++) {
+        text_put(out, k ? "; " : "");
+        tell_body_cell(out, pair, 0, c->cells.item[k].moving);
+        text_put(out, " with ");
+        tell_body_cell(out, pair, 1, c->cells.item[k].fixed);
+    }
 }

@@ -147,6 +147,10 @@ const char *cell_pair_name(const graze_cell_pair *cells);
 void pair_text(text *out, const graze_pair *pair);
 /** Append the object of a pair. */
 void pair_json(text *out, const graze_pair *pair);
+/** Append the fields of a pair in a table, from verdict to cells. */
+void pair_fields(text *out, const graze_pair *pair);
+/** The verdict as objects and tables have it. Static. */
+const char *pair_verdict_word(const graze_pair *pair);
 
 /* Outlines (src/program/cli/formats.md, Outlines). Points get their coordinates when they are
  * written. */

@@ -39,80 +39,107 @@ static const char collide_help[] =
     "                       leaves; the word is that with the closed complement of FIXED. With\n"
     "                       --first also `touches at` a time, and what follows\n"
     "  --motion-of-fixed MOTION   FIXED moves too; times are those that both motions have\n"
-    "  --format text|json   json: one object, with all pairs of cells and exact times\n"
+    "  --list PAIRS.csv     a table of pairs instead: columns moving,motion,fixed, relative to "
+    "it;\n"
+    "                       id,clearance,motion_of_fixed,inside if wanted; others are kept\n"
+    "  --jobs, --resume, --shard, --quiet   with --list, as in graze classify\n"
+    "  --format text|json   json: one object, with all pairs of cells and exact times; with "
+    "--list\n"
+    "                       csv|jsonl\n"
     "  -o, --output FILE    write there instead of to standard output\n"
     "  --triangulate, --round, --limit NAME=V   as in graze classify\n";
 
-typedef struct collide_given {
-    context_options context;
-    unsigned solid_flags;
-    graze_pair_options pair;
-    int overlap_alone;
-    graze_comparison_format format; /* as in graze compare */
-    const char *motion_of_fixed;
-    const char *clearance; /* NULL: 0 */
-} collide_given;
+enum { FORMAT_TEXT, FORMAT_JSON, FORMAT_CSV, FORMAT_JSONL, FORMAT_UNSET };
 
-static option_read value_ask;
+static option_read value_ask, value_collide_format;
 VALUE_OF_WORDS(value_ask, int, "any", "overlap")
+VALUE_OF_WORDS(value_collide_format, int, "text", "json", "csv", "jsonl")
 
 static const option_entry collide_table[] = {
-    FLAG("first", collide_given, pair.first, value_flag),
-    OPTION("ask", collide_given, overlap_alone, value_ask),
-    FLAG("inside", collide_given, pair.question, value_flag),
-    OPTION("closest", collide_given, pair, value_closest),
-    OPTION("clearance", collide_given, clearance, value_width),
-    FILE_READ("motion-of-fixed", collide_given, motion_of_fixed),
-    OPTION("format", collide_given, format, value_report),
-    SOLID_OPTIONS(collide_given, solid_flags, context),
+    FLAG("first", classify_options, pairs.options.first, value_flag),
+    OPTION("ask", classify_options, pairs.overlap_alone, value_ask),
+    FLAG("inside", classify_options, pairs.options.question, value_flag),
+    OPTION("closest", classify_options, pairs.options, value_closest),
+    OPTION("clearance", classify_options, pairs.clearance, value_width),
+    FILE_READ("motion-of-fixed", classify_options, pairs.motion_of_fixed),
+    FILE_READ("list", classify_options, points),
+    OPTION("format", classify_options, pairs.format, value_collide_format),
+    OPTION("jobs", classify_options, threads, value_jobs),
+    OUTPUT(classify_options, output, value_output),
+    FILE_WRITTEN("resume", classify_options, resume),
+    OPTION("shard", classify_options, shard, value_shard),
+    FLAG("quiet", classify_options, quiet, value_quiet),
+    SOLID_OPTIONS(classify_options, scene.solid_flags, scene.context),
     OPTIONS_END};
 
-static int read_side(graze_solid **out, graze_context *context, const char *path, unsigned flags) {
-    return complain_of(graze_solid_read(out, context, path, flags), context);
-}
-
-static int print_pair(graze_context *context, const graze_pair *pair, int json) {
-    FREED(char, written, NULL);
-    TRY(complain_of(json ? graze_pair_json(&written, context, pair)
-                         : graze_pair_text(&written, context, pair),
-                    context));
-    return output_text(NULL, written);
-}
-
-static int run_collide(void *given_options, const operands *given) {
-    const collide_given *o = given_options;
-    char **file = given->item;
-    if (o->pair.first && o->overlap_alone)
+/* Check that the options of a list, or of a pair, go together. */
+static int check_list(const classify_options *o, int operands) {
+    int is_table = o->pairs.format == FORMAT_CSV || o->pairs.format == FORMAT_JSONL;
+    if (o->pairs.options.first && o->pairs.overlap_alone)
         return complain(EXIT_USAGE, "--first ends before an overlap is known; expected --first or "
                                     "--ask overlap");
-    if (o->pair.closest > 0 && (o->pair.first || o->overlap_alone || o->pair.question))
+    if (o->pairs.options.closest > 0 &&
+        (o->pairs.options.first || o->pairs.overlap_alone || o->pairs.options.question))
         return complain(EXIT_USAGE, "--closest looks at the whole motion of one solid outside the "
                                     "other; expected no --first, --ask overlap or --inside");
-    OWNED(graze_context, context);
-    OWNED(graze_solid, moving);
-    OWNED(graze_solid, fixed);
-    OWNED(graze_motion, motion);
-    OWNED(graze_motion, motion_of_fixed);
-    OWNED(graze_pair, pair);
-    TRY(context_make(&context, &o->context));
-    TRY(read_side(&moving, context, file[0], o->solid_flags));
-    TRY(complain_of(graze_motion_read(&motion, context, file[1]), context));
-    TRY(read_side(&fixed, context, file[2], o->solid_flags));
-    if (o->motion_of_fixed)
-        TRY(complain_of(graze_motion_read(&motion_of_fixed, context, o->motion_of_fixed), context));
-    LOCAL(mpq, clearance);
-    graze_pair_options options = o->pair;
-    options.size = sizeof options;
-    if (o->clearance)
-        TRY(complain_of(graze_number_parse(clearance, context, o->clearance, strlen(o->clearance)),
-                        context));
-    options.clearance = clearance;
-    TRY(complain_of(
-        graze_pair_create(&pair, context, moving, motion, fixed, motion_of_fixed, &options),
-        context));
-    TRY(print_pair(context, pair, o->format == GRAZE_COMPARISON_JSON));
-    graze_pair_verdict least = o->overlap_alone ? GRAZE_PAIR_OVERLAP : GRAZE_PAIR_TOUCH;
-    return graze_pair_get_verdict(pair) >= least ? EXIT_NO : EXIT_DONE;
+    if (o->points && o->pairs.options.closest > 0)
+        return complain(EXIT_USAGE, "--closest is asked of one pair; expected no --list");
+    if (o->points && operands)
+        return complain(EXIT_USAGE, "--list names the pairs; expected no operands beside it");
+    if (o->points && !is_table && o->pairs.format != FORMAT_UNSET)
+        return complain(EXIT_USAGE, "--list makes a table; expected --format csv or jsonl");
+    if (!o->points && operands != 3)
+        return complain(EXIT_USAGE,
+                        "collide takes MOVING, MOTION and FIXED, %d operands given; see graze "
+                        "collide --help",
+                        operands);
+    if (!o->points && (is_table || o->threads || o->resume || o->shard.given))
+        return complain(EXIT_USAGE, "%s with --list alone",
+                        is_table ? "--format csv: expected text or json; csv and jsonl go"
+                                 : "--jobs, --resume and --shard go");
+    TRY(classify_check_files(o));
+    return classify_check_table(o);
 }
 
-COMMAND(collide, collide_given, .takes = "MOVING, MOTION and FIXED", .least = 3, .reads = 3);
+static void add_list_files(guard *g, const void *options, const operands *given) {
+    if (((const classify_options *)options)->points)
+        classify_add_record(g, options, given);
+}
+
+static int print_pair(const classify_options *o, char *const file[3]) {
+    const struct pair_choice *asked = &o->pairs;
+    const char *clearance = asked->clearance ? asked->clearance : "";
+    pair_question q = {{file[0], file[1], file[2], asked->motion_of_fixed},
+                       o->scene.solid_flags,
+                       asked->options,
+                       {clearance, strlen(clearance)}};
+    OWNED(graze_context, context);
+    OWNED(graze_pair, pair);
+    ZEROED(fault, f);
+    FREED(char, written, NULL);
+    TRY(context_make(&context, &o->scene.context));
+    if (pair_decide(&pair, &f, context, &q))
+        return fault_tell(&f);
+    TRY(complain_of(asked->format == FORMAT_JSON ? graze_pair_json(&written, context, pair)
+                                                 : graze_pair_text(&written, context, pair),
+                    context));
+    TRY(output_text(o->output, written));
+    return pair_meets(o, pair) ? EXIT_NO : EXIT_DONE;
+}
+
+static int run_collide(void *options, const operands *given) {
+    classify_options *o = options;
+    o->pairs.wanted = 1;
+    o->scene.rows.format = o->pairs.format == FORMAT_JSONL ? GRAZE_FORMAT_JSONL : GRAZE_FORMAT_CSV;
+    TRY(check_list(o, given->count));
+    if (o->points)
+        return classify_run(o);
+    waiting_start(); /* a list shows its rows instead */
+    int status = print_pair(o, given->item);
+    pairs_end();
+    return status;
+}
+
+static const classify_options whole_run = {.shard.part = {0, 1}, .pairs.format = FORMAT_UNSET};
+
+COMMAND(collide, classify_options, .initial = &whole_run, .reads = 3, .add_files = add_list_files);

@@ -60,7 +60,8 @@ static const char motion_help[] =
     "E,\n"
     "                       so that contacts have binary64 coordinates; turns stay as they are\n"
     "  --numbers binary64|written   poses: the doubles they were printed from (default), or exact\n"
-    "  --dimension 2|3      3, or 2: no axis; CENTER and WAY have two coordinates; not for poses\n"
+    "  --dimension 2|3      3, or 2: no axis; CENTER and WAY have two coordinates; poses: x,y and\n"
+    "                       qw,qz, theta (radians) or an angle; z is left out, tilts within E\n"
     "  --limit NAME=V       pieces 10000 and others, as in graze check\n"
     "  --examples           motion files with every key, one a line; man 5 graze-motion explains "
     "them\n";
@@ -251,9 +252,6 @@ static int read_motion_goal(job *j, const char *tolerance) {
 
 static int make_turn(job *j) {
     int screw = strcmp(j->given->item[0], "screw") == 0;
-    if (j->given->count != 1)
-        return complain(EXIT_USAGE, "%s takes options alone; see graze motion --help",
-                        screw ? "screw" : "rotate");
     TRY(joints_init(j, 1));
     TRY(read_turn(j, j->joints, screw));
     TRY(read_motion_goal(j, screw ? "1e-6" : "1e-9"));
@@ -287,7 +285,7 @@ static int make_joint_chain(job *j) {
 }
 
 static int make_line(job *j) {
-    return j->given->count == 1 && j->o->own[BY]
+    return j->o->own[BY]
                ? make_joint_chain(j)
                : complain(EXIT_USAGE, "line takes --by X,Y,Z alone; see graze motion --help");
 }
@@ -313,8 +311,6 @@ static int read_pose_choice(job *j, graze_pose_options *out) {
 static int make_poses(job *j) {
     const char *numbers = j->o->own[NUMBERS];
     int written = numbers && strcmp(numbers, "written") == 0;
-    if (j->given->count != 2)
-        return complain(EXIT_USAGE, "poses takes one FILE; see graze motion --help");
     if (numbers && !written && strcmp(numbers, "binary64") != 0)
         return complain(EXIT_USAGE, "--numbers %s: expected binary64 or written", numbers);
     const char *const *own = j->o->own;
@@ -326,6 +322,7 @@ static int make_poses(job *j) {
                                  .tolerance = j->tolerance,
                                  .columns = j->o->own[COLUMNS],
                                  .angles = j->o->own[ANGLES],
+                                 .dimension = j->dimension,
                                  .ignored = j->given->repeated,
                                  .ignored_count = (size_t)j->given->repeated_count};
     TRY(read_motion_goal(j, "1e-6"));
@@ -342,8 +339,6 @@ static int make_gcode(job *j) {
     const char *start = j->o->own[START];
     graze_gcode_options chosen = {
         .size = sizeof chosen, .tolerance = j->tolerance, .start = start ? j->ends : NULL};
-    if (j->given->count != 2)
-        return complain(EXIT_USAGE, "gcode takes one FILE; see graze motion --help");
     TRY(read_motion_goal(j, "5e-3"));
     TRY(numbers_given(j->ends, j->context, "--start", start, 3));
     return complain_of_use(
@@ -367,8 +362,6 @@ static int make_near(job *j, const graze_motion *motion) {
 
 static int make_dyadic(job *j) {
     OWNED(graze_motion, motion);
-    if (j->given->count != 2)
-        return complain(EXIT_USAGE, "dyadic takes one MOTION; see graze motion --help");
     TRY(read_motion_goal(j, "1e-6"));
     TRY(complain_of(graze_motion_read(&motion, j->context, j->given->item[1]), j->context));
     return make_near(j, motion);
@@ -389,21 +382,25 @@ enum {
     TAKEN_BY_TURNS = TAKEN_BY_JOINTS | 1 << DEGREES | 1 << AXIS | 1 << CENTER | 1 << PITCH,
     TAKEN_BY_POSES = TAKEN_BY_DYADIC | 1 << DYADIC | 1 << AFFINE | 1 << NUMBERS | 1 << SHORTEST |
                      1 << LONG | 1 << SLERP | 1 << COLUMNS | 1 << ANGLES | 1 << SCALE | 1 << FROM |
-                     1 << TO | 1 << EVERY
+                     1 << TO | 1 << EVERY | 1 << DIMENSION
 };
 
-/* The kinds of motions, and the options that each kind takes. */
+/* The kinds of motions, the options that each kind takes, and its operands: `count` with its own
+ * name, 0 for any number. */
 static const struct {
     const char *name;
     int (*make)(job *);
     unsigned taken;
-} kinds[] = {{"line", make_line, TAKEN_BY_DYADIC | 1 << DYADIC | 1 << DIMENSION | 1 << BY},
-             {"rotate", make_turn, TAKEN_BY_TURNS},
-             {"screw", make_turn, TAKEN_BY_TURNS},
-             {"joints", make_joint_chain, TAKEN_BY_JOINTS},
-             {"poses", make_poses, TAKEN_BY_POSES},
-             {"gcode", make_gcode, TAKEN_BY_GCODE},
-             {"dyadic", make_dyadic, TAKEN_BY_DYADIC}};
+    int count;
+    const char *operand;
+} kinds[] = {{"line", make_line, TAKEN_BY_DYADIC | 1 << DYADIC | 1 << DIMENSION | 1 << BY, 1,
+              "--by X,Y,Z alone"},
+             {"rotate", make_turn, TAKEN_BY_TURNS, 1, "options alone"},
+             {"screw", make_turn, TAKEN_BY_TURNS, 1, "options alone"},
+             {"joints", make_joint_chain, TAKEN_BY_JOINTS, 0, NULL},
+             {"poses", make_poses, TAKEN_BY_POSES, 2, "one FILE"},
+             {"gcode", make_gcode, TAKEN_BY_GCODE, 2, "one FILE"},
+             {"dyadic", make_dyadic, TAKEN_BY_DYADIC, 2, "one MOTION"}};
 
 static int check_own_options(const job *j, const char *kind, unsigned taken) {
     for (int k = 0; k < OWN; k++) {
@@ -431,6 +428,9 @@ static int convert_motion(job *j) {
         if (strcmp(name, kinds[k].name) != 0)
             continue;
         TRY(check_own_options(j, name, kinds[k].taken));
+        if (kinds[k].count && j->given->count != kinds[k].count)
+            return complain(EXIT_USAGE, "%s takes %s; see graze motion --help", name,
+                            kinds[k].operand);
         TRY(kinds[k].make(j));
         return j->o->own[DYADIC] ? make_made_dyadic(j) : EXIT_DONE;
     }

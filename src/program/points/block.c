@@ -9,7 +9,6 @@
 #include "base/context/array.h"
 #include "input/delimited/delimited.h"
 #include "program/io/io.h"
-#include "program/points/heads.h"
 
 int fault_set(fault *f, int status, const char *format, ...) {
     va_list arguments;
@@ -31,7 +30,7 @@ int fault_of(fault *f, graze_status status, const graze_context *context, int ot
         return EXIT_DONE;
     if (status == GRAZE_ECANCELED)
         return f->status = EXIT_SIGNAL;
-    return fault_set(f, exit_for(status, otherwise), "%s", graze_context_message(context));
+    return fault_set(f, exit_for(status, otherwise), "%s", complaint_of(context));
 }
 
 int fault_tell(const fault *f) {

@@ -38,6 +38,9 @@ static char first_axis_name(const fields *first, int dimension) {
 static int is_further(const columns *c, size_t column) {
     if (c->sites.wanted)
         return c->sites.carried[column];
+    for (int k = 0; c->pairs.wanted && k < PAIR_COLUMNS; k++)
+        if (c->pairs.where[k] == column)
+            return 0;
     for (int k = 0; k < c->dimension; k++)
         if (c->where[k] == column)
             return 0;
@@ -109,8 +112,7 @@ static int needs_quotes(char separator, field one) {
     return separator == ';' && memchr(one.start, ',', one.length) && *bare.start != '"';
 }
 
-/* Append a field for a table, whose separator is the comma. */
-static void put_carried(text *out, const columns *c, field one) {
+void columns_put_field(text *out, const columns *c, field one) {
     if (!one.length || !needs_quotes(c->separator, one)) {
         text_bytes(out, one.start, one.length);
         return;
@@ -135,7 +137,7 @@ static size_t put_others(text *out, const columns *c, const fields *line, int nu
         if (numbered)
             text_format(out, "column%zu", k + 1);
         else
-            put_carried(out, c, line->item[k]);
+            columns_put_field(out, c, line->item[k]);
     }
     return count;
 }
@@ -185,10 +187,10 @@ static int fix_points(int *header, fault *f, columns *c, const fields *first, un
 static int fix(int *header, fault *f, columns *c, const fields *first, unsigned long number,
                columns_head head) {
     c->count = first->count;
-    int status = c->sites.wanted ? site_columns_fix(f, &c->sites, c->where, first, c->name, number)
-                                 : fix_points(header, f, c, first, number, head);
-    if (c->sites.wanted)
-        *header = 1;
+    *header = 1;
+    int status = c->sites.wanted   ? site_columns_fix(f, c, first, number)
+                 : c->pairs.wanted ? pair_columns_fix(f, c, first, number)
+                                   : fix_points(header, f, c, first, number, head);
     if (!status && *header)
         status = check_different_names(f, c, first, number);
     if (!status)
@@ -305,6 +307,10 @@ void reader_clear(reader *r) {
     fields_clear(&r->cut);
     text_clear(&r->rest);
     *r = (reader){.context = NULL};
+}
+
+int columns_are_named(const columns *c) {
+    return c->sites.wanted || c->pairs.wanted;
 }
 
 void columns_clear(columns *c) {

@@ -34,6 +34,10 @@ void csv_expect_sites(csv *c, int snap) {
     c->columns.numbers = c->columns.dimension + 1;
 }
 
+void csv_expect_pairs(csv *c) {
+    c->columns.pairs.wanted = 1;
+}
+
 void csv_close(csv *c) {
     if (!c)
         return;
@@ -89,9 +93,8 @@ int csv_ready(csv *c) {
 static int next_point_line(csv *c, field *line) {
     if (!c->is_array)
         return fault_of(&c->fault, stream_next(&c->in, line), c->in.context, EXIT_INPUT);
-    if (c->columns.sites.wanted)
-        return site_columns_fault(&c->fault, &c->columns.sites, c->in.name, 1,
-                                  "a .npy file has no names");
+    if (columns_are_named(&c->columns))
+        return names_fault(&c->fault, &c->columns, 1, "a .npy file has no names");
     if (!c->array)
         TRY(npy_open(&c->array, &c->fault, c->in.context, c->in.fd, c->in.name,
                      c->columns.dimension));
@@ -118,9 +121,8 @@ int csv_fill(csv *c, block *b, unsigned long most) {
         field text;
         status = next_point_line(c, &text);
         if (!status && !text.start) {
-            if (c->columns.sites.wanted && !c->columns.count)
-                status = site_columns_fault(&c->fault, &c->columns.sites, c->in.name, c->in.line,
-                                            "the file is empty");
+            if (columns_are_named(&c->columns) && !c->columns.count)
+                status = names_fault(&c->fault, &c->columns, c->in.line, "the file is empty");
             break;
         }
         if (!status && !skipped(text))

@@ -7,23 +7,19 @@
 #include "input/delimited/delimited.h"
 #include "program/points/points.h"
 
-/** Set a fault to the context's message. Its status is exit_for(status, otherwise), or EXIT_SIGNAL
- * for a cancel. */
-int fault_of(fault *f, graze_status status, const graze_context *context, int otherwise);
-
-/* The columns of a file of contact points. */
+/* The columns of a file of contact points, and of a list of pairs. */
 
 /** Find the columns by a line of names: time and point, and `cell` if points are moved. All other
  * columns are carried along, except those with names of columns of a table of contact points.
- * @param[out] where the columns of time and point
- * @param file the name of the file, for messages
  * @return EXIT_DONE or the status of the fault */
-int site_columns_fix(fault *f, site_form *s, size_t where[4], const fields *names, const char *file,
-                     unsigned long number);
+int site_columns_fix(fault *f, columns *c, const fields *names, unsigned long number);
+
+/** Find the columns of a list of pairs; GRAZE_EUSE's exit status for one that names an option that
+ * lists do not take. */
+int pair_columns_fix(fault *f, columns *c, const fields *names, unsigned long number);
 
 /** Set the fault of a file that has no such line of names. */
-int site_columns_fault(fault *f, const site_form *s, const char *file, unsigned long number,
-                       const char *what);
+int names_fault(fault *f, const columns *c, unsigned long number, const char *what);
 
 /** Is a field an irrational time as tables write it? */
 int site_time_is_root(field token);
@@ -32,6 +28,8 @@ int site_time_is_root(field token);
 const char *site_number_name(const site_form *s, int index);
 
 void columns_clear(columns *c);
+/** Must the file have a line of names? */
+int columns_are_named(const columns *c);
 
 /**
  * Fix the columns by the first line of a file that is neither blank nor a comment.

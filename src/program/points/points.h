@@ -47,6 +47,9 @@ typedef struct fault {
 
 /** Set a fault, which is zeroed before; returns `status`. */
 int fault_set(fault *f, int status, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/** Set a fault to the context's message. Its status is exit_for(status, otherwise), or EXIT_SIGNAL
+ * for a cancel. */
+int fault_of(fault *f, graze_status status, const graze_context *context, int otherwise);
 /** Complain of a fault; returns its exit status. */
 int fault_tell(const fault *f);
 void fault_clear(fault *f);
@@ -98,6 +101,24 @@ typedef struct site_form {
     char *carried; /* 1 for each column that is carried along */
 } site_form;
 
+/** Rows that are pairs of solids: their columns; a file has the first three, and may have others.
+ */
+enum {
+    PAIR_MOVING,
+    PAIR_MOTION,
+    PAIR_FIXED,
+    PAIR_MOTION_OF_FIXED,
+    PAIR_ID,
+    PAIR_CLEARANCE,
+    PAIR_INSIDE,
+    PAIR_COLUMNS,
+    PAIR_FILES = PAIR_ID
+};
+typedef struct pair_form {
+    int wanted;
+    size_t where[PAIR_COLUMNS]; /* SIZE_MAX: there is no such column */
+} pair_form;
+
 /* The columns of a file of points: places of the coordinates, names of the others. */
 
 /** Columns with answers in a file that graze classify has written; they are not carried along. */
@@ -112,6 +133,7 @@ typedef struct columns {
     int dimension;
     int numbers; /* numbers of a row: the dimension, for contact points one more */
     site_form sites;
+    pair_form pairs;
     size_t count;
     size_t where[4]; /* columns of the numbers: x, y, z, or time, x, y, z */
     char separator;  /* between fields of this file; tables that are written have commas */
@@ -137,6 +159,9 @@ void reader_clear(reader *r);
  * @return malloc'ed; NULL when out of memory, or where there are no further columns
  */
 char *columns_free_names(const columns *c, field own);
+
+/** Append a field of the file as a field of a table, whose separator is the comma. */
+void columns_put_field(text *out, const columns *c, field one);
 
 /**
  * Read a line of a block. Any thread may ask, once the columns are fixed.
@@ -283,6 +308,8 @@ void csv_close(csv *c);
 /** Expect contact points as rows; with `snap` they have cells, to be moved to contacts. To be
  * called before the first line is read. */
 void csv_expect_sites(csv *c, int snap);
+/** Expect pairs as rows, likewise. */
+void csv_expect_pairs(csv *c);
 /**
  * Fill a block with the next rows, at most `most`; an empty block means the end. On an error the
  * block has the rows before it, and `fault` the message. EXIT_SIGNAL if a signal came.

@@ -47,31 +47,51 @@ static int find_numbers(size_t where[4], const site_form *s, const fields *names
     return found;
 }
 
-int site_columns_fault(fault *f, const site_form *s, const char *file, unsigned long number,
-                       const char *what) {
-    return fault_set(f, EXIT_INPUT, "%s:%lu: %s; expected a line of names with %s%s", file, number,
-                     what,
-                     s->dimension == 2 ? "time,bx,by or time,x,y" : "time,bx,by,bz or time,x,y,z",
-                     s->snap ? ", and cell" : "");
+int names_fault(fault *f, const columns *c, unsigned long number, const char *what) {
+    int plane = c->dimension == 2;
+    return fault_set(f, EXIT_INPUT, "%s:%lu: %s; expected a line of names with %s%s", c->name,
+                     number, what,
+                     c->pairs.wanted ? "moving,motion,fixed"
+                     : plane         ? "time,bx,by or time,x,y"
+                                     : "time,bx,by,bz or time,x,y,z",
+                     c->sites.snap ? ", and cell" : "");
 }
 
-int site_columns_fix(fault *f, site_form *s, size_t where[4], const fields *names, const char *file,
-                     unsigned long number) {
+int site_columns_fix(fault *f, columns *c, const fields *names, unsigned long number) {
+    site_form *s = &c->sites;
     s->in_world = 0;
-    int found = find_numbers(where, s, names);
+    int found = find_numbers(c->where, s, names);
     if (found == 0) {
         s->in_world = 1;
-        found = find_numbers(where, s, names);
+        found = find_numbers(c->where, s, names);
     }
     if (found == 1 && s->snap)
         found = find_name(&s->cell, names, "cell");
     if (found < 1)
-        return site_columns_fault(f, s, file, number,
-                                  found ? "a name stands twice" : "a name is missing");
+        return names_fault(f, c, number, found ? "a name stands twice" : "a name is missing");
     s->carried = calloc(names->count + 1, 1);
     for (size_t k = 0; s->carried && k < names->count; k++)
         s->carried[k] = !is_result(field_content(names->item[k]), s->snap);
     return s->carried ? EXIT_DONE : fault_set(f, EXIT_IO, "out of memory");
+}
+
+int pair_columns_fix(fault *f, columns *c, const fields *names, unsigned long number) {
+    static const char *const taken[PAIR_COLUMNS] = {
+        "moving", "motion", "fixed", "motion_of_fixed", "id", "clearance", "inside"};
+    static const char *const refused[] = {"ask", "closest", "motion_error"};
+    size_t column;
+    for (size_t k = 0; k < sizeof refused / sizeof *refused; k++)
+        if (find_name(&column, names, refused[k]))
+            return fault_set(f, EXIT_USAGE,
+                             "%s:%lu: the column %s is an option that rows of a list do not have",
+                             c->name, number, refused[k]);
+    for (int k = 0; k < PAIR_COLUMNS; k++) {
+        c->pairs.where[k] = SIZE_MAX;
+        int found = find_name(&c->pairs.where[k], names, taken[k]);
+        if (found < (k <= PAIR_FIXED))
+            return names_fault(f, c, number, found ? "a name stands twice" : "a name is missing");
+    }
+    return EXIT_DONE;
 }
 
 /* The most cells of one kind that a solid can have (src/input/solid). */

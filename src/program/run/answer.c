@@ -171,10 +171,14 @@ static int asks_for_members(const answer_task *task) {
 }
 
 size_t answer_most(const answer_task *task) {
-    return asks_for_members(task) ? BLOCK_ROWS : RUN_ROWS;
+    return task->pairs ? 1 : asks_for_members(task) ? BLOCK_ROWS : RUN_ROWS;
 }
 
 void answer(answerer *a, row_run *r, const block *b, size_t first) {
+    if (a->task.pairs) {
+        answer_pair(a, r, b, first);
+        return;
+    }
     int members = asks_for_members(&a->task);
     text_clear(&a->written);
     size_t n = members ? 0 : make_run_points(a, r, b, first);

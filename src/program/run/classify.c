@@ -17,6 +17,11 @@ static size_t ring_size(const classify_options *o) {
     return 4 + (size_t)jobs_width(o->threads) * 4 * RUN_ROWS / BLOCK_ROWS;
 }
 
+/* Most rows of a block. Pairs take long, and are written when their block is answered. */
+static unsigned long block_rows(const classify_options *o) {
+    return o->pairs.wanted ? RUN_ROWS : BLOCK_ROWS;
+}
+
 typedef struct run_state {
     loaded l;
     csv *points;
@@ -59,7 +64,7 @@ static int take_block(run_state *s, const classify_options *o, block *b, unsigne
 /* Fill the next block and hand it over. */
 static int fill_ring(run_state *s, const classify_options *o) {
     block *b = s->ring[s->filled % s->ring_size];
-    TRY(take_block(s, o, b, BLOCK_ROWS));
+    TRY(take_block(s, o, b, block_rows(o)));
     if (b->count) {
         s->filled++;
         jobs_submit(s->jobs, b);
@@ -137,7 +142,9 @@ static int make_ring(run_state *s, size_t size) {
 /* Load the scene, prepare the results, and load a certifier if a certificate is to be written. */
 static int load_scene(run_state *s, const classify_options *o) {
     int certified = o->no_table || o->certificate;
-    int status = receipt_load(&s->l, o->receipt, &o->scene);
+    s->l.rows = o->scene.rows; /* pairs have no scene */
+    int status = o->pairs.wanted ? context_make(&s->l.context, &o->scene.context)
+                                 : receipt_load(&s->l, o->receipt, &o->scene);
     if (!status && o->sites.wanted)
         status = load_takes(s->l.solid, o->scene.solid, "contact", TAKES_STRAIGHT);
     results_init(&s->out, o, &s->l);
@@ -151,12 +158,15 @@ static int prepare_run(run_state *s, const classify_options *o) {
                                  o->shard.part, s->l.context));
     if (o->sites.wanted)
         csv_expect_sites(s->points, o->sites.snap);
+    if (o->pairs.wanted)
+        csv_expect_pairs(s->points);
     TRY(make_ring(s, ring_size(o)));
     answer_task task = {.context = &o->scene.context,
                         .scene = s->l.scene,
                         .certifier = s->l.certifier,
                         .no_table = o->no_table,
                         .rows = &s->l.rows,
+                        .pairs = o->pairs.wanted ? o : NULL,
                         .source = source_of(s, o),
                         .one_by_one = graze_solid_primitive_count(s->l.solid) > 0};
     TRY(jobs_start(&s->jobs, o->threads, &task));
@@ -174,6 +184,7 @@ static void end_run(run_state *s) {
     free(s->ring);
     csv_close(s->points);
     grid_close(s->grid);
+    pairs_end();
     loaded_clear(&s->l);
     free(s);
 }
@@ -189,8 +200,11 @@ int classify_run(const classify_options *o) {
         status = results_end(&s->out, s->grid ? s->grid->count : s->points->rows,
                              s->grid ? 0 : checksum_value(&s->points->sum));
     if (!status && s->points && !s->points->rows)
-        complain(EXIT_DONE, "note: %s has no points", s->points->columns.name);
+        complain(EXIT_DONE, "note: %s has no %s", s->points->columns.name,
+                 o->pairs.wanted ? "pairs" : "points");
     status = results_close(&s->out, status);
+    if (!status && o->pairs.wanted)
+        status = s->out.at.undecided ? EXIT_INPUT : s->out.at.wide ? EXIT_NO : EXIT_DONE;
     end_run(s);
     return status;
 }

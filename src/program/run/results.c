@@ -115,6 +115,8 @@ static int make_head(char **head, const results *out, const char *notes, const c
     const char *columns = all.length ? all.data : NULL;
     if (all.failed)
         return complain(EXIT_IO, "out of memory");
+    if (out->o->pairs.wanted)
+        return pairs_head(head, out->o, notes, columns);
     graze_status made =
         sites->wanted
             ? graze_site_header(head, context, out->l->scene, notes, columns)
@@ -333,6 +335,13 @@ static void report_whole_rows(const results *out, int kind) {
 }
 
 static void tell_undecided(const results *out) {
+    if (out->o->pairs.wanted) {
+        complain(EXIT_INPUT,
+                 "%lu of %lu rows have no answer; their columns status and message say "
+                 "why",
+                 out->at.undecided, out->file[RESULT_TABLE].rows);
+        return;
+    }
     const column_set *set = undecided_set(out);
     const char *bare = out->l->rows.columns == GRAZE_COLUMNS_PMC ? "pmc" : "the word";
     if (out->l->rows.at_rest) /* there is no motion to explain */
@@ -360,7 +369,7 @@ int results_close(results *out, int status) {
                  "note: coordinates of more than %d digits are rounded; the answers are those of "
                  "the points before that",
                  out->o->coordinates.digits);
-    if (!status && out->at.wide)
+    if (!status && out->at.wide && !out->o->pairs.wanted)
         complain(EXIT_DONE,
                  "note: the distance of %lu of %lu rows is enclosed less closely than asked for",
                  out->at.wide, out->file[RESULT_TABLE].rows);

@@ -9,7 +9,7 @@
 #include "program/io/io.h"
 #include "program/points/points.h"
 
-/* Files and options of one run of graze classify, graze certify or graze contact. */
+/* Files and options of one run of graze classify, graze certify, graze contact or graze collide. */
 /** The options; strings are borrowed. */
 typedef struct classify_options {
     scene_options scene;
@@ -23,6 +23,13 @@ typedef struct classify_options {
     struct site_choice {
         int wanted, snap; /* rows are contact points; they are moved to the contacts of cells */
     } sites;
+    struct pair_choice {
+        int wanted; /* rows are pairs of solids; the scene has their options, and no files */
+        graze_pair_options options;
+        int overlap_alone, format; /* of graze collide */
+        const char *clearance;     /* of rows without one; NULL: 0 */
+        const char *motion_of_fixed;
+    } pairs;
     coordinate_options coordinates;
     int no_table;            /* 1: `output` is a certificate, and no table is written */
     const char *output;      /* NULL: standard output */
@@ -38,7 +45,7 @@ typedef struct classify_options {
  * certificate or both. */
 
 /** Classify the points and write the table, the certificate or both. Returns an exit status and
- * says what is wrong. */
+ * says what is wrong; of pairs EXIT_INPUT if a row has no answer, else EXIT_NO if a pair meets. */
 int classify_run(const classify_options *o);
 
 /** The name of a record is that of its table with this ending. */
@@ -60,6 +67,7 @@ typedef struct answer_task {
     const graze_certifier *certifier; /* NULL: no certificate is wanted */
     int no_table;                     /* 1: a certificate alone is wanted */
     const graze_row_options *rows;
+    const classify_options *pairs; /* NULL: rows are no pairs */
     row_source source;
     int one_by_one; /* 1: points of a grid are decided singly, since the solid is curved */
 } answer_task;
@@ -81,6 +89,30 @@ void answerer_clear(answerer *a);
 /** Answer the r->taken rows of a block from `first` on, and put the answers into `r`, which is
  * zeroed but for `taken`. */
 void answer(answerer *a, row_run *r, const block *b, size_t first);
+
+/* Pairs of solids, as rows or alone. */
+
+/** A pair of files; texts are borrowed. */
+typedef struct pair_question {
+    const char *path[PAIR_FILES]; /* in the order of columns; the last one may be NULL */
+    unsigned solid_flags;
+    graze_pair_options options; /* without size and clearance */
+    field clearance;            /* a number; empty: 0 */
+} pair_question;
+
+/** Decide a pair. Each file is read once, until pairs_end frees it, after all pairs.
+ * @return EXIT_DONE, or the status of the fault */
+int pair_decide(graze_pair **out, fault *f, graze_context *context, const pair_question *q);
+void pairs_end(void);
+/** Does a pair that was decided make exit status 1? */
+int pair_meets(const classify_options *o, const graze_pair *pair);
+
+/** Answer the row `first` of a block, as answer does. A row without an answer has the reason in its
+ * columns status and message, and counts in the totals as `undecided`, one that meets as `wide`. */
+void answer_pair(answerer *a, row_run *r, const block *b, size_t first);
+
+/** Make the head of a table of pairs. `others` are the names of further columns, or NULL. */
+int pairs_head(char **head, const classify_options *o, const char *notes, const char *others);
 
 /* The scene of a certificate, in a form that graze-check reads. */
 

@@ -95,7 +95,7 @@ class Expressions:
 
     @classmethod
     def polyhedron(cls: Type[Made], points: Any, faces: Any) -> Made:
-        """A convex polyhedron of its points and, for each face, their numbers from 0 in a row around it."""
+        """A closed polyhedron of its points and, for each face, their numbers from 0 in a row around it."""
         return cls._primitive(3, "polyhedron", points=points, faces=faces)
 
     def _operand(self) -> Node:

@@ -34,6 +34,7 @@ class PoseForm(NamedTuple):
     slerp: bool
     tolerance: Any
     numbers: Optional[str]
+    dimension: int
 
 
 def _text(value: Any) -> str:
@@ -109,7 +110,7 @@ def by_poses(poses: Any, times: Any, form: PoseForm,
     goal = filled([form.tolerance], 1, context, "the tolerance")
     flags = (C.GRAZE_POSES_AFFINE * form.affine + C.GRAZE_POSES_SHORTEST * form.shortest
              + C.GRAZE_POSES_LONG * form.long + C.GRAZE_POSES_SLERP * form.slerp)
-    options = C.graze_pose_options(flags=flags, tolerance=goal.address)
+    options = C.graze_pose_options(flags=flags, tolerance=goal.address, dimension=form.dimension)
     if form.columns is not None:
         columns = form.columns
         if isinstance(columns, Mapping):

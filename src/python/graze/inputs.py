@@ -293,7 +293,7 @@ class Motion:
     def poses(cls, poses: Any, times: Any = None, *, quaternions: "str | None" = None,
               columns: Any = None, angles: "str | None" = None, ignore: Sequence[str] = (),
               affine: bool = False, shortest: bool = False, long: bool = False, slerp: bool = False,
-              tolerance: Any = "1e-6", numbers: "str | None" = None,
+              tolerance: Any = "1e-6", numbers: "str | None" = None, dimension: int = 3,
               limits: "Mapping[str, int] | None" = None) -> "Motion":
         """A motion through poses, linear between them (`graze motion poses`).
 
@@ -318,13 +318,15 @@ class Motion:
                 by further poses between; without it `report` bounds the difference.
             numbers: of a log in a file: `binary64`, the doubles that they were printed from, as
                 `graze motion poses` takes them and pandas reads them (default), or `written`.
+            dimension: 2 for a motion in the plane: z is left out, refused what turns out of the plane by
+                more than `tolerance`. Columns are x, y and qw, qz, or theta in radians.
 
         The columns first_row and last_row of `Scene(moments=True)`, and the report, name poses of a
         file by their lines, those of arrays and frames by their numbers, from 1: row k is
         `poses.iloc[k - 1]`, unless a column has the rows. A piece has the row of the pose that it leads to.
         """
         form = PoseForm(quaternions, columns, angles, ignore, affine, shortest, long, slerp, tolerance,
-                        numbers)
+                        numbers, dimension)
         return cls._made(*by_poses(poses, times, form, limits), limits)
 
     @classmethod

@@ -43,26 +43,31 @@ graze_status neighborhood_locate(neighborhood *out, graze_context *context,
                                  const graze_solid *solid, const fmpq *point);
 void neighborhood_clear(neighborhood *p);
 
-/* Derivatives of the trajectory through a body point at a rational time, from those of the motion.
- */
+/* Derivatives of trajectories at a rational time, from those of the motion. */
 
 /**
  * For M = A x + b and a body point y, by the motion's parameter t: with V = A'y + b', `w` is -A^-1
  * V, which is c' for the trajectory c of the point P = M(t) y, `bend` is c'', and `drift` is the
- * derivative of A^-1 V at fixed y. d rationals each. `orientation` is the sign of det A.
+ * derivative of A^-1 V at fixed y. Each is an affine map of y: d rows of d + 1 integers, and
+ * behind these their common denominator, positive. `orientation` is the sign of det A.
  */
 typedef struct flow {
     int dimension, orientation;
-    fmpq *w, *bend, *drift;
+    fmpz *w, *bend, *drift;
 } flow;
 
-/** The inner product of an integer normal and one of a flow's vectors. */
-void flow_along(fmpq_t out, const fmpz *normal, const fmpq *vector, int dimension);
+/** Make the flow at the parameter u of a piece (proofs/envelope.md C58). */
+void flow_init(flow *out, const motion_piece *piece, const fmpq_t u);
+/** Clear a flow; one of zeros is left. */
+void flow_clear(flow *f);
+
+/** The inner product of an integer normal and the value of a flow's map at y. */
+void flow_along(fmpq_t out, const fmpz *normal, const fmpz *map, const fmpq *y, int dimension);
 
 /* Record of a site. */
 
 /** A side of the time t: the motion's piece there, and the parameter u of t in it. `present` is 0
- * for a side beyond an end of the motion. If one piece is on both sides, only the side before t has
+ * for a side beyond an end of the motion. If one piece is on both sides, only the side after t has
  * its flow made, which holds for both. */
 typedef struct site_side {
     int present;
@@ -138,19 +143,6 @@ graze_status site_to_body(fmpq *point, graze_context *context, const graze_scene
                           const fmpq_t t);
 
 void site_clear(graze_site *site);
-
-/** w(y) = at_zero + slope y: d rationals, and d * d row by row. */
-typedef struct velocity_field {
-    int dimension;
-    fmpq *at_zero, *slope;
-} velocity_field;
-
-/** The velocity fields on both sides of a time t, the one before t first; `present` as in
- * site_side. If one piece is on both sides the fields are equal. */
-typedef struct speed {
-    int dimension, present[2];
-    velocity_field field[2];
-} speed;
 
 /* The sides of a rational time of a motion. */
 

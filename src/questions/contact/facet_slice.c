@@ -1,4 +1,4 @@
-/* Cuts simplices of the boundary by the signs of g, exactly.
+/* Nearest points, and cuts of simplices of the boundary by the signs of g, exactly.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The cuts leave a convex polygon, which may be a segment or a point. Its point nearest to a given
@@ -8,61 +8,84 @@
 #include "questions/contact/contact.h"
 
 #include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "input/solid/solid.h"
 #include "input/validate/validate.h"
 #include "questions/contact/nearby.h"
 
+void nearby_init(nearby *n, const fmpq *from, int dimension) {
+    n->dimension = dimension;
+    n->found = 0;
+    n->from = from;
+    n->point = _fmpq_vec_init(dimension);
+    fmpq_init(n->square);
+}
+
+void nearby_clear(nearby *n) {
+    _fmpq_vec_clear(n->point, n->dimension);
+    fmpq_clear(n->square);
+}
+
+void nearby_try(nearby *n, const fmpq *point) {
+    int d = n->dimension;
+    LOCAL_VEC(fmpq, way, d);
+    LOCAL(fmpq, square);
+    vector_sub(way, point, n->from, d);
+    _fmpq_vec_dot(square, way, way, d);
+    int order = n->found ? fmpq_cmp(square, n->square) : -1;
+    if (order < 0 || (order == 0 && vector_compare(point, n->point, d) < 0)) {
+        fmpq_swap(n->square, square);
+        vector_set(n->point, point, d);
+        n->found = 1;
+    }
+}
+
+/* The foot is at a + s (b - a), s = (from - a)(b - a) / |b - a|^2, held to [0, 1]. */
+void nearby_try_segment(nearby *n, const fmpq *a, const fmpq *b) {
+    int d = n->dimension;
+    LOCAL_VEC(fmpq, along, 3 * d);
+    fmpq *way = along + d, *foot = way + d;
+    LOCAL_VEC(fmpq, s, 2);
+    fmpq *length = s + 1;
+    vector_sub(along, b, a, d);
+    vector_sub(way, n->from, a, d);
+    _fmpq_vec_dot(length, along, along, d);
+    _fmpq_vec_dot(s, way, along, d);
+    if (fmpq_sgn(s) <= 0) {
+        nearby_try(n, a);
+    } else if (fmpq_cmp(s, length) >= 0) {
+        nearby_try(n, b);
+    } else {
+        fmpq_div(s, s, length);
+        vector_between(foot, a, b, s, d);
+        nearby_try(n, foot);
+    }
+}
+
 /* A triangle's three corners, and at most one more for each cut. */
 enum { POLYGON_CORNERS = 8 };
 
-/* The part of a simplex that the cuts leave; before them, `corner` has the simplex's corners.
- * `normal` is the simplex's outward normal. */
+/* The part of a simplex that the cuts leave; before them, `corner` has the simplex's corners. */
 typedef struct polygon {
+    const graze_solid *solid;
+    size_t simplex;
+    const site_side *side;
     int dimension, count;
-    const speed *speed;
-    const fmpq *simplex[3];
-    fmpq *normal, *corner; /* d of each */
+    const fmpz *plane, *normal; /* the simplex's plane form; d integers, outward */
+    fmpq *corner;               /* d coordinates each */
 } polygon;
 
 static fmpq *corner_of(const polygon *p, int k) {
     return p->corner + (size_t)k * (size_t)p->dimension;
 }
 
-static void find_normal(polygon *p) {
-    int d = p->dimension;
-    LOCAL_VEC(fmpq, a, 2 * d);
-    fmpq *b = a + d;
-    vector_sub(a, p->simplex[1], p->simplex[0], d);
-    if (d == 2) {
-        fmpq_set(p->normal, a + 1);
-        fmpq_neg(p->normal + 1, a);
-    } else {
-        vector_sub(b, p->simplex[2], p->simplex[0], d);
-        vector_cross(p->normal, a, b);
-    }
-}
-
 /* out = g at y before the time (side 0), -g after it (side 1): >= 0 in the contact set. */
 static void condition(fmpq_t out, const polygon *p, int side, const fmpq *y) {
-    speed_along(out, p->speed, side, p->normal, y);
+    sides_speed(out, p->side, side, p->normal, y);
     if (side)
         fmpq_neg(out, out);
-}
-
-/* The point of the segment from a to b at which the condition, x at a and z at b, is 0. */
-static void put_crossing(fmpq *out, const fmpq *a, const fmpq *b, const fmpq_t x, const fmpq_t z,
-                         int d) {
-    LOCAL_VEC(fmpq, part, 2);
-    fmpq *step = part + 1;
-    fmpq_sub(part, x, z);
-    fmpq_div(part, x, part);
-    for (int i = 0; i < d; i++) {
-        fmpq_sub(step, b + i, a + i);
-        fmpq_set(out + i, a + i);
-        fmpq_addmul(out + i, part, step);
-    }
 }
 
 /* Cut the polygon to the part with a condition that is not negative. */
@@ -75,40 +98,24 @@ static void cut_polygon(polygon *p, int side) {
         const fmpq *a = corner_of(p, k), *b = corner_of(p, (k + 1) % p->count);
         condition(here, p, side, a);
         condition(next, p, side, b);
-        if (fmpq_sgn(here) >= 0) {
-            for (int i = 0; i < d; i++)
-                fmpq_set(out + kept * d + i, a + i);
-            kept++;
-        }
+        if (fmpq_sgn(here) >= 0)
+            vector_set(out + d * kept++, a, d);
         if (fmpq_sgn(here) * fmpq_sgn(next) < 0)
-            put_crossing(out + d * kept++, a, b, here, next, d);
+            vector_zero(out + d * kept++, a, b, here, next, d);
     }
-    for (int k = 0; k < kept * d; k++)
-        fmpq_swap(p->corner + k, out + k);
+    vector_set(p->corner, out, kept * d);
     p->count = kept;
 }
 
-/* Is a point of the simplex's plane in the triangle? */
-static int is_in_triangle(const polygon *p, const fmpq *y) {
-    LOCAL_VEC(fmpq, along, 9);
-    fmpq *way = along + 3, *across = way + 3;
-    int inside = 1;
-    LOCAL(fmpq, turn);
-    for (int k = 0; k < 3 && inside; k++) {
-        vector_sub(along, p->simplex[(k + 1) % 3], p->simplex[k], 3);
-        vector_sub(way, y, p->simplex[k], 3);
-        vector_cross(across, along, way);
-        _fmpq_vec_dot(turn, across, p->normal, 3);
-        inside = fmpq_sgn(turn) >= 0;
-    }
-    return inside;
-}
-
-static int holds_conditions(const polygon *p, const fmpq *y) {
-    int holds = 1;
+/* Is a point of the simplex's plane in the contact set? */
+static int is_in_slice(const polygon *p, const fmpq *y) {
+    unsigned zero = 0;
+    LOCAL_VEC(fmpz, x, 4);
     LOCAL(fmpq, value);
+    _fmpq_vec_get_fmpz_vec_fmpz(x, x + 3, y, 3);
+    int holds = solid_holds(&zero, p->solid, p->simplex, p->plane, x);
     for (int side = 0; side < 2 && holds; side++)
-        if (p->speed->present[side]) {
+        if (p->side[side].present) {
             condition(value, p, side, y);
             holds = fmpq_sgn(value) >= 0;
         }
@@ -117,35 +124,34 @@ static int holds_conditions(const polygon *p, const fmpq *y) {
 
 /* Try the foot of n->from in the simplex's plane, if the foot lies in the contact set. */
 static void try_foot(nearby *n, const polygon *p) {
-    LOCAL_VEC(fmpq, foot, 3);
-    LOCAL_VEC(fmpq, height, 2);
-    fmpq *square = height + 1;
-    vector_sub(foot, p->simplex[0], n->from, 3);
-    _fmpq_vec_dot(height, foot, p->normal, 3);
-    _fmpq_vec_dot(square, p->normal, p->normal, 3);
-    fmpq_div(height, height, square);
+    LOCAL_VEC(fmpq, foot, 4);
+    fmpq *height = foot + 3;
+    LOCAL(fmpz, square);
+    vector_sub(foot, solid_corner(p->solid, p->simplex, 0), n->from, 3);
+    vector_dot_integers(height, p->normal, foot, 3);
+    _fmpz_vec_dot(square, p->normal, p->normal, 3);
+    fmpq_div_fmpz(height, height, square);
     for (int i = 0; i < 3; i++) {
-        fmpq_set(foot + i, n->from + i);
-        fmpq_addmul(foot + i, height, p->normal + i);
+        fmpq_mul_fmpz(foot + i, height, p->normal + i);
+        fmpq_add(foot + i, foot + i, n->from + i);
     }
-    if (is_in_triangle(p, foot) && holds_conditions(p, foot))
+    if (is_in_slice(p, foot))
         nearby_try(n, foot);
 }
 
-void facet_slice_try(nearby *n, const graze_solid *solid, size_t simplex, const speed *s) {
-    int d = s->dimension;
-    LOCAL_VEC(fmpq, normal, d);
+void facet_slice_try(nearby *n, const graze_solid *solid, size_t simplex, const site_side side[2]) {
+    int d = solid->input.dimension;
+    LOCAL_VEC(fmpz, plane, d + 1);
+    LOCAL_VEC(fmpz, normal, d);
     LOCAL_VEC(fmpq, corner, POLYGON_CORNERS * d);
-    polygon p = {.dimension = d, .count = d, .speed = s, .normal = normal, .corner = corner};
-    for (int k = 0; k < d; k++) {
-        p.simplex[k] = solid->input.coordinates + solid->cut.item[simplex].vertex[k] * (size_t)d;
-        for (int i = 0; i < d; i++)
-            fmpq_set(corner_of(&p, k) + i, p.simplex[k] + i);
-    }
-    find_normal(&p);
-    for (int side = 0; side < 2; side++)
-        if (s->present[side])
-            cut_polygon(&p, side);
+    polygon p = {solid, simplex, side, d, d, plane, normal, corner};
+    int facing = solid_plane(plane, solid, simplex);
+    _fmpz_vec_scalar_mul_si(normal, plane, d, facing);
+    for (int k = 0; k < d; k++)
+        vector_set(corner_of(&p, k), solid_corner(solid, simplex, k), d);
+    for (int k = 0; k < 2; k++)
+        if (side[k].present)
+            cut_polygon(&p, k);
     for (int k = 0; k < p.count; k++)
         nearby_try_segment(n, corner_of(&p, k), corner_of(&p, (k + 1) % p.count));
     if (d == 3 && p.count)

@@ -10,28 +10,6 @@
 #include "input/validate/validate.h"
 #include "questions/contact/contact.h"
 
-/* Derivatives of the trajectory through a body point at a rational time, from those of the motion.
- */
-
-/** Make the flow of the body point y at the parameter u of a piece (proofs/envelope.md C58).
- * flow_clear in any case. */
-void flow_init(flow *out, const motion_piece *piece, const fmpq_t u, const fmpq *y);
-void flow_clear(flow *f);
-
-/* The planes that decide what a solid is next to a boundary point. */
-
-/**
- * List the planes of the simplices whose boxes meet a box around a point of d rationals, then the
- * planes of the box's sides, in which no simplex is listed. A ray from the point stays in the box
- * until it meets one of the latter, and in the box the boundary has no other simplices: so a cone
- * (questions/topo/topo.h) made of this list equals the cone made of all planes, and the time for it
- * does not grow with the solid.
- * @param[out] out planes_clear after GRAZE_OK
- * @return GRAZE_ESYSTEM
- */
-graze_status around_planes(plane_list *out, graze_context *context, const graze_solid *solid,
-                           const fmpq *point);
-
 /* The point of a union of convex sets that is nearest to a given point, found set by set. */
 
 /** The point nearest to `from` (borrowed) so far; of equally near points the lexicographically
@@ -52,14 +30,19 @@ void nearby_try(nearby *n, const fmpq *point);
 /** Take the point of the segment from a to b that is nearest to `from`; a may be b. */
 void nearby_try_segment(nearby *n, const fmpq *a, const fmpq *b);
 
-/* The velocity of trajectories at a time, as an affine function of the body point. */
+/* The velocity of trajectories on both sides of a time. */
 
-/** Make the velocity fields of sides that sides_find has set. speed_clear in any case. */
-void speed_init(speed *out, const graze_motion *motion, const site_side side[2]);
-void speed_clear(speed *s);
+/** Is one piece on both sides? */
+int sides_within_piece(const site_side side[2]);
 
-/** g = -n w(y) on a side, for a normal of d rationals. */
-void speed_along(fmpq_t out, const speed *s, int side, const fmpq *normal, const fmpq *y);
+/** Make the flows of sides that sides_find has set; the caller clears them. */
+void sides_add_flows(site_side side[2], const graze_motion *motion);
+
+/** The flow on side k: 0 before the time, 1 after it. */
+const flow *sides_flow(const site_side side[2], int k);
+
+/** g = -n w(y) on side k. */
+void sides_speed(fmpq_t out, const site_side side[2], int k, const fmpz *normal, const fmpq *y);
 
 /* Where an edge of a solid in E^3 is in contact at a time. */
 
@@ -68,13 +51,13 @@ void speed_along(fmpq_t out, const speed *s, int side, const fmpq *normal, const
  * @return GRAZE_EINPUT more than two facets, or none, meet along the edge
  */
 graze_status edge_run_try(nearby *n, graze_context *context, const graze_solid *solid,
-                          const fmpq *u, const fmpq *v, const speed *s);
+                          const fmpq *u, const fmpq *v, const site_side side[2]);
 
 /* The points of a facet in contact at a time: g <= 0 on the side after the time and g >= 0 on the
  * side before it; within a piece of the motion g = 0. */
 
 /** Try the nearest point of the contact set of a simplex of the boundary (proofs/snap.md C75). */
-void facet_slice_try(nearby *n, const graze_solid *solid, size_t simplex, const speed *s);
+void facet_slice_try(nearby *n, const graze_solid *solid, size_t simplex, const site_side side[2]);
 
 /* The first-order role of a site. */
 

@@ -73,17 +73,9 @@ static graze_status add_facet_here(place_finder *f, size_t simplex, const fmpz *
 static graze_status try_simplex(place_finder *f, size_t simplex) {
     int d = f->out->dimension;
     unsigned zero = 0;
-    LOCAL_VEC(fmpz, plane, 2 * (d + 1));
-    fmpz *side = plane + d + 1;
+    LOCAL_VEC(fmpz, plane, d + 1);
     int facing = solid_plane(plane, f->solid, simplex);
-    int contains = form_sign(plane, f->x, d) == 0;
-    for (int k = 0; k < d && contains; k++) {
-        solid_side(side, f->solid, simplex, plane, k);
-        int sign = form_sign(side, f->x, d);
-        contains = sign >= 0;
-        zero |= sign == 0 ? 1u << k : 0;
-    }
-    if (contains) {
+    if (form_sign(plane, f->x, d) == 0 && solid_holds(&zero, f->solid, simplex, plane, f->x)) {
         name_cell(f, simplex, zero);
         TRY(array_grow(f->context, &f->simplex, &f->simplex_capacity, f->simplex_count + 1,
                        sizeof *f->simplex, "the facets at a point"));
@@ -110,9 +102,7 @@ static void look_at_corners(int *outside, int *inside, const place_finder *f, si
     int d = f->out->dimension;
     LOCAL_VEC(fmpz, corner, d + 1);
     for (int k = 0; k < d; k++) {
-        const fmpq *v =
-            f->solid->input.coordinates + f->solid->cut.item[simplex].vertex[k] * (size_t)d;
-        _fmpq_vec_get_fmpz_vec_fmpz(corner, corner + d, v, d);
+        _fmpq_vec_get_fmpz_vec_fmpz(corner, corner + d, solid_corner(f->solid, simplex, k), d);
         for (size_t j = 0; j < f->out->count; j++) {
             int sign = form_sign(f->out->facet[j].form, corner, d);
             *outside |= sign > 0;

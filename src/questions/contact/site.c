@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
@@ -22,8 +23,7 @@ static void begin_site(graze_site *s, const graze_scene *scene, const fmpq_t t, 
     s->world = s->y + d;
     s->side[0].u = s->world + d;
     s->side[1].u = s->world + d + 1;
-    for (int i = 0; i < d; i++)
-        fmpq_set(s->y + i, y + i);
+    vector_set(s->y, y, d);
     fmpq_init(s->t);
     fmpq_set(s->t, t);
     fmpq_init(s->shift);
@@ -46,34 +46,25 @@ void site_clear(graze_site *s) {
     neighborhood_clear(&s->place);
 }
 
-/* out = the image of a point under the map at u; `out` is not the point. */
-static void carry_point(fmpq *out, const point_map *map, const fmpq_t u, const fmpq *point) {
-    int d = map->dimension;
-    LOCAL_VEC(fmpq, entry, d * (d + 1));
-    point_map_at(entry, map, u);
-    for (int i = 0; i < d; i++) {
-        fmpq_set(out + i, entry + i * (d + 1) + d);
-        for (int j = 0; j < d; j++)
-            fmpq_addmul(out + i, entry + i * (d + 1) + j, point + j);
-    }
-}
-
 graze_status site_to_body(fmpq *point, graze_context *context, const graze_scene *scene,
                           const fmpq_t t) {
     int d = scene->motion->dimension;
-    LOCAL_VEC(fmpq, body, d + 2);
-    site_side side[2] = {{.u = body + d}, {.u = body + d + 1}};
+    LOCAL_VEC(fmpq, body, d * (d + 2) + 2);
+    fmpq *map = body + d, *u = map + d * (d + 1);
+    site_side side[2] = {{.u = u}, {.u = u + 1}};
     TRY(sides_find(side, context, scene->motion, t));
     const site_side *one = &side[!side[0].present];
-    carry_point(body, &scene->motion->piece[one->piece].inverse, one->u, point);
-    for (int i = 0; i < d; i++)
-        fmpq_swap(point + i, body + i);
+    point_map_at(map, &scene->motion->piece[one->piece].inverse, one->u);
+    affine_image(body, map, point, d);
+    vector_set(point, body, d);
     return GRAZE_OK;
 }
 
 static void find_world(graze_site *s) {
     const site_side *side = &s->side[!s->side[0].present];
-    carry_point(s->world, &s->scene->motion->piece[side->piece].forward, side->u, s->y);
+    LOCAL_VEC(fmpq, map, POINT_MAP_ENTRIES);
+    point_map_at(map, &s->scene->motion->piece[side->piece].forward, side->u);
+    affine_image(s->world, map, s->y, s->dimension);
 }
 
 /* Find the order of the zero at t of the pullback of a facet's plane, and the pullback's sign next
@@ -96,27 +87,18 @@ static void find_germ_order(site_germ *germ, const graze_site *s) {
         germ->sign = -germ->sign;
 }
 
-/* Is one piece on both sides of t? Then the first side has the flow of both. */
-static int is_within_piece(const graze_site *s) {
-    return s->side[0].present && s->side[1].present && s->side[0].piece == s->side[1].piece;
-}
-
-static const flow *flow_on(const graze_site *s, int side) {
-    return &s->side[side > 0 && !is_within_piece(s)].flow;
-}
-
 static void fill_germ(site_germ *germ, const graze_site *s, size_t facet, int side) {
-    const flow *f = flow_on(s, side);
+    const flow *f = sides_flow(s->side, side > 0);
+    int d = s->dimension;
     const fmpz *normal = s->place.facet[facet].normal;
     germ->facet = facet;
     germ->side = side;
     fmpq_init(germ->speed);
     fmpq_init(germ->drift);
     fmpq_init(germ->theta);
-    flow_along(germ->speed, normal, f->w, s->dimension);
-    fmpq_neg(germ->speed, germ->speed);
-    flow_along(germ->drift, normal, f->drift, s->dimension);
-    flow_along(germ->theta, normal, f->bend, s->dimension);
+    sides_speed(germ->speed, s->side, side > 0, normal, s->y);
+    flow_along(germ->drift, normal, f->drift, s->y, d);
+    flow_along(germ->theta, normal, f->bend, s->y, d);
     if (!fmpq_is_zero(germ->speed)) {
         germ->order = 1;
         germ->sign = -side * fmpq_sgn(germ->speed);
@@ -132,10 +114,7 @@ static graze_status find_germs(graze_site *s, graze_context *context) {
     s->germ = calloc(2 * s->place.count, sizeof *s->germ);
     if (!s->germ)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the facets at a point");
-    for (int k = 0; k < 2; k++)
-        if (s->side[k].present && !(k == 1 && is_within_piece(s)))
-            flow_init(&s->side[k].flow, &s->scene->motion->piece[s->side[k].piece], s->side[k].u,
-                      s->y);
+    sides_add_flows(s->side, s->scene->motion);
     for (size_t j = 0; j < s->place.count; j++)
         for (int k = 0; k < 2; k++)
             if (s->side[k].present)
@@ -151,7 +130,8 @@ static void find_slice(graze_site *s) {
     f->on_slice = s->place.kind == PLACE_FACET && !s->is_break && fmpq_is_zero(germ->speed);
     if (!f->on_slice)
         return;
-    int turn = flow_on(s, germ->side)->orientation * -fmpq_sgn(germ->drift) * fmpq_sgn(germ->theta);
+    int turn = sides_flow(s->side, germ->side > 0)->orientation * -fmpq_sgn(germ->drift) *
+               fmpq_sgn(germ->theta);
     f->theta = fmpq_sgn(germ->theta);
     f->order = germ->order;
     f->orientation = turn > 0   ? GRAZE_ORIENTATION_PRESERVING

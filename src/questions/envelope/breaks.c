@@ -57,13 +57,12 @@ static int is_vertex_bad(const meeting_pieces *m, size_t vertex) {
     int low = 1, high = -1, all = 1;
     if (c->vertex[vertex].kind == PLACE_REFLEX || c->vertex[vertex].kind == PLACE_OTHER)
         return 0;
-    for (size_t j = c->vertex_facets.start[vertex]; j < c->vertex_facets.start[vertex + 1] && all;
-         j++) {
-        size_t facet = c->vertex_facets.item[j];
-        int beside = sign_beside(m, facet, vertex);
+    cell_span facets = cells_of(&c->vertex_facets, vertex);
+    for (size_t j = 0; j < facets.count && all; j++) {
+        int beside = sign_beside(m, facets.item[j], vertex);
         low = beside < low ? beside : low;
         high = beside > high ? beside : high;
-        all = break_sign(m, 1, facet, vertex) > 0;
+        all = break_sign(m, 1, facets.item[j], vertex) > 0;
     }
     return all && low <= 0 && high >= 0;
 }
@@ -71,13 +70,11 @@ static int is_vertex_bad(const meeting_pieces *m, size_t vertex) {
 /* The sign, `lambda` of the way along an edge, of a linear function with the values `at` at the
  * ends. */
 static int sign_along(const fmpz at[2], const fmpq_t lambda) {
-    LOCAL_VEC(fmpq, value, 2);
-    fmpq *rest = value + 1;
-    fmpq_mul_fmpz(value, lambda, at + 1);
-    fmpq_set_si(rest, 1, 1);
-    fmpq_sub(rest, rest, lambda);
-    fmpq_mul_fmpz(rest, rest, at);
-    fmpq_add(value, value, rest);
+    LOCAL(fmpz, step);
+    LOCAL(fmpq, value);
+    fmpz_sub(step, at + 1, at);
+    fmpq_mul_fmpz(value, lambda, step);
+    fmpq_add_fmpz(value, value, at);
     return fmpq_sgn(value);
 }
 
@@ -112,12 +109,12 @@ static int is_edge_bad(const meeting_pieces *m, size_t edge) {
     const cell_edge *e = &c->edge[edge];
     if (e->kind != PLACE_CONVEX)
         return 0;
-    const size_t *facet = c->edge_facets.item + c->edge_facets.start[edge];
-    size_t last = c->edge_facets.start[edge + 1] - c->edge_facets.start[edge] - 1;
+    cell_span facets = cells_of(&c->edge_facets, edge);
     LOCAL_VEC(fmpz, value, 8);
     for (int k = 0; k < 4; k++) {
-        break_value(value + 2 * k, m, k >= 2, facet[k % 2 ? last : 0], e->u);
-        break_value(value + 2 * k + 1, m, k >= 2, facet[k % 2 ? last : 0], e->v);
+        size_t facet = facets.item[k % 2 ? facets.count - 1 : 0];
+        break_value(value + 2 * k, m, k >= 2, facet, e->u);
+        break_value(value + 2 * k + 1, m, k >= 2, facet, e->v);
     }
     return has_place(value);
 }
@@ -143,10 +140,11 @@ static int is_slice_bad(const meeting_pieces *m, size_t facet, size_t edge) {
 static int is_facet_bad(const meeting_pieces *m, size_t facet) {
     const cell_complex *c = &m->e->cells;
     int bad = 0, still = m->e->still[m->contact * c->facet_count + facet];
-    for (size_t j = c->facet_edges.start[facet]; j < c->facet_edges.start[facet + 1] && !bad; j++) {
-        const cell_edge *e = &c->edge[c->facet_edges.item[j]];
+    cell_span edges = cells_of(&c->facet_edges, facet);
+    for (size_t j = 0; j < edges.count && !bad; j++) {
+        const cell_edge *e = &c->edge[edges.item[j]];
         bad = still ? break_sign(m, 1, facet, e->u) > 0 || break_sign(m, 1, facet, e->v) > 0
-                    : is_slice_bad(m, facet, c->facet_edges.item[j]);
+                    : is_slice_bad(m, facet, edges.item[j]);
     }
     return bad;
 }

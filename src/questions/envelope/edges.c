@@ -189,10 +189,7 @@ static graze_status try_crossing(edge_finder *f, const side *e, size_t p, size_t
     LOCAL(fmpq, lambda);
     if (meet_within(lambda, v, f->c, e, p, q)) {
         size_t vertex;
-        for (int i = 0; i < d; i++) {
-            fmpq_mul(v + i, v + i, lambda);
-            fmpq_add(v + i, v + i, at_vertex(f->c, e->u) + i);
-        }
+        vector_between(v, at_vertex(f->c, e->u), at_vertex(f->c, e->v), lambda, d);
         TRY(number_crossing(&vertex, f, v));
         TRY(add_inner(f, lambda, vertex));
     }

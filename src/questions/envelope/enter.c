@@ -57,13 +57,13 @@ static graze_status enters_simplex(int *out, const moment *m, size_t simplex) {
  * every cell_edge of the facet is one. */
 static graze_status goes_along_flat_edge(int *out, const moment *m, size_t vertex) {
     const cell_complex *c = &m->e->cells;
-    for (size_t j = c->vertex_edges.start[vertex]; j < c->vertex_edges.start[vertex + 1] && !*out;
-         j++) {
-        size_t at = c->vertex_edges.item[j];
-        const cell_edge *edge = &c->edge[at];
+    cell_span edges = cells_of(&c->vertex_edges, vertex);
+    for (size_t j = 0; j < edges.count && !*out; j++) {
+        const cell_edge *edge = &c->edge[edges.item[j]];
+        cell_span facets = cells_of(&c->edge_facets, edges.item[j]);
         int sign = 1;
-        for (size_t i = c->edge_facets.start[at]; i < c->edge_facets.start[at + 1]; i++)
-            if (edge->kind == PLACE_FACET && c->edge_facets.item[i] == m->facet)
+        for (size_t i = 0; i < facets.count; i++)
+            if (edge->kind == PLACE_FACET && facets.item[i] == m->facet)
                 TRY(sign_at(&sign, m, edge->u == vertex ? edge->v : edge->u));
         *out = sign == 0;
     }
@@ -73,13 +73,14 @@ static graze_status goes_along_flat_edge(int *out, const moment *m, size_t verte
 static graze_status enters(int *out, const moment *m, size_t vertex) {
     const cell_complex *c = &m->e->cells;
     const cell_facet *f = &c->facet[m->facet];
+    unsigned zero = 0;
     *out = 0;
     TRY(goes_along_flat_edge(out, m, vertex));
     LOCAL_VEC(fmpz, plane, 4);
     for (size_t j = 0; j < f->count && c->dimension == 3 && !*out; j++) {
         size_t simplex = c->order[f->first + j];
         solid_plane(plane, c->solid, simplex);
-        if (parts_simplex_holds(c, simplex, plane, c->vertex[vertex].x))
+        if (solid_holds(&zero, c->solid, simplex, plane, c->vertex[vertex].x))
             TRY(enters_simplex(out, m, simplex));
     }
     return GRAZE_OK;

@@ -45,6 +45,16 @@ typedef struct cell_lists {
     size_t *start, *item;
 } cell_lists;
 
+/** One of the lists. */
+typedef struct cell_span {
+    const size_t *item;
+    size_t count;
+} cell_span;
+
+static inline cell_span cells_of(const cell_lists *lists, size_t k) {
+    return (cell_span){lists->item + lists->start[k], lists->start[k + 1] - lists->start[k]};
+}
+
 /** Facets are sorted by name, then by form; vertices by position, but those where edges cross come
  * last. */
 typedef struct cell_complex {

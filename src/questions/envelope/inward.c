@@ -13,54 +13,33 @@
 #include "questions/envelope/sign_events.h"
 #include "questions/topo/topo.h"
 
-/* Subtract from v its orthogonal projection onto b. */
-static void drop_part(fmpq *v, const fmpq *b, int d) {
-    LOCAL_VEC(fmpq, part, 2);
-    fmpq *length = part + 1;
-    _fmpq_vec_dot(part, v, b, d);
-    _fmpq_vec_dot(length, b, b, d);
-    if (!fmpq_is_zero(length)) {
-        fmpq_div(part, part, length);
-        for (int i = 0; i < d; i++)
-            fmpq_submul(v + i, b + i, part);
-    }
-}
-
 /* The direction of the vertex's velocity at a rational parameter, projected into the planes of the
  * facets whose sign is 0. */
 static void velocity_near(fmpq *w, const graze_envelope *e, size_t vertex, size_t piece,
                           const fmpq_t u, const signed char *sign) {
     const cell_complex *c = &e->cells;
-    int d = c->dimension, basis_count = 0;
+    int d = c->dimension;
     const fmpz_poly_struct *p = derivatives_at(&e->field[piece], 1, vertex);
-    LOCAL_VEC(fmpq, basis, d * d);
-    LOCAL_VEC(fmpq, normal, d);
+    cell_span facets = cells_of(&c->vertex_facets, vertex);
+    LOCAL_VEC(fmpq, form, d * (d + 1));
+    plane_stack to = {d, 0, form};
     for (int i = 0; i < d; i++)
         fmpz_poly_evaluate_fmpq(w + i, p + i, u);
-    size_t first = c->vertex_facets.start[vertex];
-    for (size_t j = first; j < c->vertex_facets.start[vertex + 1] && basis_count < d; j++) {
-        if (sign[j - first] != 0)
-            continue;
-        _fmpq_vec_set_fmpz_vec(normal, c->facet[c->vertex_facets.item[j]].normal, d);
-        for (int b = 0; b < basis_count; b++)
-            drop_part(normal, basis + b * d, d);
-        if (vector_is_zero(normal, d))
-            continue;
-        vector_set(basis + basis_count++ * d, normal, d);
-        drop_part(w, normal, d);
-    }
+    for (size_t j = 0; j < facets.count; j++)
+        if (sign[j] == 0)
+            plane_stack_add(&to, w, c->facet[facets.item[j]].form);
 }
 
 /* Has -n w the given sign for the normal n of each of the vertex's facets? */
 static int has_speed_signs(const fmpq *w, const graze_envelope *e, size_t vertex,
                            const signed char *sign) {
     const cell_complex *c = &e->cells;
-    size_t first = c->vertex_facets.start[vertex];
+    cell_span facets = cells_of(&c->vertex_facets, vertex);
     int same = 1;
     LOCAL(fmpq, value);
-    for (size_t j = first; j < c->vertex_facets.start[vertex + 1] && same; j++) {
-        flow_along(value, c->facet[c->vertex_facets.item[j]].normal, w, c->dimension);
-        same = -fmpq_sgn(value) == sign[j - first];
+    for (size_t j = 0; j < facets.count && same; j++) {
+        vector_dot_integers(value, c->facet[facets.item[j]].normal, w, c->dimension);
+        same = -fmpq_sgn(value) == sign[j];
     }
     return same;
 }
@@ -70,7 +49,7 @@ static graze_status find_direction(fmpz *out, const graze_envelope *e, graze_con
                                    const signed char *sign) {
     int d = e->cells.dimension;
     ulong gain = FIRST_GAIN;
-    LOCAL_VEC(fmpq, w, d);
+    LOCAL_VEC(fmpq, w, d + 1); /* a direction: the last entry is 0 */
     LOCAL_VEC(fmpq, low, 2);
     fmpq *high = low + 1;
     for (;;) {

@@ -1,8 +1,9 @@
-/* Joints between moments: finds at each vertex and edge the patches that end at one place.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Joints between moments: finds at each vertex and edge the patches
+ * that end at one place. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
+#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "questions/envelope/patch_ends.h"
 

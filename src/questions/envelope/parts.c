@@ -75,15 +75,28 @@ static void slice_points_clear(slice_points *list) {
     free(list->item);
 }
 
-/* Add the facet's lone vertices that lie on its slice. */
-static graze_status meet_lone_vertices(slice_points *list, graze_context *context,
-                                       const snapshot *s, size_t facet) {
-    const cell_lists *lone = &s->e->cells.lone_vertices;
-    for (size_t j = lone->start[facet]; j < lone->start[facet + 1]; j++) {
-        size_t v = lone->item[j];
-        if (snapshot_g_sign(s, facet, vertex_at(s, v)) == 0)
-            TRY(add_point(list, context, vertex_at(s, v), end_at(v), s->dimension));
-    }
+/* Add the zero within an edge of g of a facet, if there is one. */
+static graze_status add_zero_within(slice_points *list, graze_context *context, const snapshot *s,
+                                    size_t edge, size_t facet) {
+    const cell_edge *e = &s->e->cells.edge[edge];
+    int d = s->dimension;
+    LOCAL_VEC(fmpq, zero, d + 2);
+    fmpq *g = zero + d;
+    snapshot_g(g, s, facet, vertex_at(s, e->u));
+    snapshot_g(g + 1, s, facet, vertex_at(s, e->v));
+    if (fmpq_sgn(g) * fmpq_sgn(g + 1) >= 0)
+        return GRAZE_OK;
+    vector_zero(zero, vertex_at(s, e->u), vertex_at(s, e->v), g, g + 1, d);
+    return add_point(list, context, zero, end_within(edge, facet), d);
+}
+
+/* Add a vertex if g of the facet is 0 there, else set *off. */
+static graze_status add_zero_at(slice_points *list, int *off, graze_context *context,
+                                const snapshot *s, size_t facet, size_t vertex) {
+    const fmpq *at = vertex_at(s, vertex);
+    if (snapshot_g_sign(s, facet, at) == 0)
+        return add_point(list, context, at, end_at(vertex), s->dimension);
+    *off = 1;
     return GRAZE_OK;
 }
 
@@ -92,26 +105,16 @@ static graze_status meet_lone_vertices(slice_points *list, graze_context *contex
 static graze_status meet_edges(slice_points *list, int *off, graze_context *context,
                                const snapshot *s, size_t facet) {
     const cell_complex *c = &s->e->cells;
-    int d = s->dimension;
-    LOCAL_VEC(fmpq, zero, d + 2);
-    fmpq *g = zero + d;
-    for (size_t j = c->facet_edges.start[facet]; j < c->facet_edges.start[facet + 1]; j++) {
-        size_t edge = c->facet_edges.item[j];
-        const cell_edge *e = &c->edge[edge];
-        const size_t ends[] = {e->u, e->v};
-        for (int k = 0; k < 2; k++)
-            snapshot_g(g + k, s, facet, vertex_at(s, ends[k]));
-        for (int k = 0; k < 2; k++) {
-            *off |= !fmpq_is_zero(g + k);
-            if (fmpq_is_zero(g + k))
-                TRY(add_point(list, context, vertex_at(s, ends[k]), end_at(ends[k]), d));
-        }
-        if (fmpq_sgn(g) * fmpq_sgn(g + 1) < 0) {
-            snapshot_zero(zero, g, g + 1, vertex_at(s, e->u), vertex_at(s, e->v), d);
-            TRY(add_point(list, context, zero, end_within(edge, facet), d));
-        }
+    cell_span edges = cells_of(&c->facet_edges, facet), lone = cells_of(&c->lone_vertices, facet);
+    int unused = 0;
+    for (size_t j = 0; j < edges.count; j++) {
+        TRY(add_zero_at(list, off, context, s, facet, c->edge[edges.item[j]].u));
+        TRY(add_zero_at(list, off, context, s, facet, c->edge[edges.item[j]].v));
+        TRY(add_zero_within(list, context, s, edges.item[j], facet));
     }
-    return meet_lone_vertices(list, context, s, facet);
+    for (size_t j = 0; j < lone.count; j++)
+        TRY(add_zero_at(list, &unused, context, s, facet, lone.item[j]));
+    return GRAZE_OK;
 }
 
 static int compare_slice_points(const void *left, const void *right) {
@@ -128,26 +131,17 @@ static int compare_edge_points(const void *left, const void *right) {
                                           : 0;
 }
 
-int parts_simplex_holds(const cell_complex *c, size_t simplex, const fmpz *plane, const fmpz *x) {
-    int inside = 1;
-    LOCAL_VEC(fmpz, side, c->dimension + 1);
-    for (int k = 0; k < c->dimension && inside; k++) {
-        solid_side(side, c->solid, simplex, plane, k);
-        inside = form_sign(side, x, c->dimension) >= 0;
-    }
-    return inside;
-}
-
 int parts_facet_holds(const cell_complex *c, size_t facet, const fmpq *at) {
     const cell_facet *f = &c->facet[facet];
     int d = c->dimension, inside = 0;
+    unsigned zero = 0;
     LOCAL_VEC(fmpz, x, 2 * (d + 1));
     fmpz *plane = x + d + 1;
     _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, at, d);
     for (size_t j = 0; j < f->count && !inside; j++) {
         size_t simplex = c->order[f->first + j];
         solid_plane(plane, c->solid, simplex);
-        inside = form_sign(plane, x, d) == 0 && parts_simplex_holds(c, simplex, plane, x);
+        inside = form_sign(plane, x, d) == 0 && solid_holds(&zero, c->solid, simplex, plane, x);
     }
     return inside;
 }
@@ -168,8 +162,9 @@ int parts_side_is_inner(const cell_complex *c, size_t facet, size_t a, size_t b)
 static int are_joined(const cell_complex *c, size_t a, size_t b) {
     if (a == SIZE_MAX || b == SIZE_MAX)
         return 0;
-    for (size_t j = c->vertex_edges.start[a]; j < c->vertex_edges.start[a + 1]; j++) {
-        const cell_edge *e = &c->edge[c->vertex_edges.item[j]];
+    cell_span edges = cells_of(&c->vertex_edges, a);
+    for (size_t j = 0; j < edges.count; j++) {
+        const cell_edge *e = &c->edge[edges.item[j]];
         if (e->u == b || e->v == b)
             return 1;
     }
@@ -182,6 +177,42 @@ static graze_status add_slice(graze_curve *c, graze_context *context, const snap
     c->part[c->count - 1].facts.theta_a = snapshot_theta_sign(s, facet, a->at);
     c->part[c->count - 1].facts.theta_b = snapshot_theta_sign(s, facet, b->at);
     return GRAZE_OK;
+}
+
+/* The point in the interior of the facet's first simplex with the barycentric weights 1, s, s^2. */
+static void point_within(fmpq *out, const cell_complex *c, size_t facet, slong s) {
+    int d = c->dimension;
+    const size_t *corner = c->corner + c->order[c->facet[facet].first] * (size_t)d;
+    slong weight = 1, sum = 0;
+    LOCAL(fmpz, factor);
+    LOCAL(fmpq, term);
+    for (int i = 0; i < d; i++)
+        fmpq_zero(out + i);
+    for (int k = 0; k < d; k++, weight *= s) {
+        sum += weight;
+        fmpz_set_si(factor, weight);
+        for (int i = 0; i < d; i++) {
+            fmpq_mul_fmpz(term, c->at + corner[k] * (size_t)d + (size_t)i, factor);
+            fmpq_add(out + i, out + i, term);
+        }
+    }
+    fmpz_set_si(factor, sum);
+    for (int i = 0; i < d; i++)
+        fmpq_div_fmpz(out + i, out + i, factor);
+}
+
+/* The middle of the facet's first simplex, or, if an edge or a vertex of the boundary passes
+ * through it, another point in the interior of that simplex. The points tried lie on a conic: a
+ * line meets it at most twice, so finitely many vertices and edges cannot hold all of them. */
+static graze_status within_facet(fmpq *out, graze_context *context, const cell_complex *cells,
+                                 size_t facet) {
+    for (slong s = 1;; s++) {
+        ZEROED(neighborhood, at);
+        point_within(out, cells, facet, s);
+        TRY(neighborhood_locate(&at, context, cells->solid, out));
+        if (at.cell.kind == cells->facet[facet].name.kind)
+            return GRAZE_OK;
+    }
 }
 
 static graze_status add_whole(graze_curve *c, graze_context *context, const snapshot *s,
@@ -229,8 +260,7 @@ graze_status parts_of_facet(graze_curve *c, graze_context *context, const snapsh
 /* Is a point of the boundary a contact? The signs of g of its facets decide if the local cone is
  * flat, convex or reflex; else the site of the point decides. */
 static graze_status is_contact_point(int *out, graze_context *context, const snapshot *s,
-                                     place_kind kind, const size_t *facet, size_t count,
-                                     const fmpq *at) {
+                                     place_kind kind, cell_span facets, const fmpq *at) {
     int low = 1, high = -1;
     if (kind == PLACE_OTHER) {
         graze_site site;
@@ -239,8 +269,8 @@ static graze_status is_contact_point(int *out, graze_context *context, const sna
         site_clear(&site);
         return GRAZE_OK;
     }
-    for (size_t k = 0; k < count; k++) {
-        int sign = snapshot_g_sign(s, facet[k], at);
+    for (size_t k = 0; k < facets.count; k++) {
+        int sign = snapshot_g_sign(s, facets.item[k], at);
         low = sign < low ? sign : low;
         high = sign > high ? sign : high;
     }
@@ -254,20 +284,11 @@ static graze_status cut_edge(slice_points *list, graze_context *context, const s
                              size_t edge) {
     const cell_complex *c = &s->e->cells;
     const cell_edge *e = &c->edge[edge];
-    const fmpq *u = vertex_at(s, e->u), *v = vertex_at(s, e->v);
-    int d = s->dimension;
-    LOCAL_VEC(fmpq, g, d + 2);
-    fmpq *zero = g + 2;
-    TRY(add_point(list, context, u, end_at(e->u), d));
-    for (size_t j = c->edge_facets.start[edge]; j < c->edge_facets.start[edge + 1]; j++) {
-        snapshot_g(g, s, c->edge_facets.item[j], u);
-        snapshot_g(g + 1, s, c->edge_facets.item[j], v);
-        if (fmpq_sgn(g) * fmpq_sgn(g + 1) < 0) {
-            snapshot_zero(zero, g, g + 1, u, v, d);
-            TRY(add_point(list, context, zero, end_within(edge, c->edge_facets.item[j]), d));
-        }
-    }
-    TRY(add_point(list, context, v, end_at(e->v), d));
+    cell_span facets = cells_of(&c->edge_facets, edge);
+    TRY(add_point(list, context, vertex_at(s, e->u), end_at(e->u), s->dimension));
+    for (size_t j = 0; j < facets.count; j++)
+        TRY(add_zero_within(list, context, s, edge, facets.item[j]));
+    TRY(add_point(list, context, vertex_at(s, e->v), end_at(e->v), s->dimension));
     qsort(list->item, list->count, sizeof *list->item, compare_edge_points);
     return GRAZE_OK;
 }
@@ -278,8 +299,7 @@ static graze_status add_runs(graze_curve *c, graze_context *context, const snaps
                              const slice_points *list) {
     const cell_complex *cells = &s->e->cells;
     const cell_edge *e = &cells->edge[edge];
-    const size_t *facet = cells->edge_facets.item + cells->edge_facets.start[edge];
-    size_t count = cells->edge_facets.start[edge + 1] - cells->edge_facets.start[edge];
+    cell_span facets = cells_of(&cells->edge_facets, edge);
     size_t from = 0;
     int open = 0;
     LOCAL_VEC(fmpq, middle, 3);
@@ -290,9 +310,9 @@ static graze_status add_runs(graze_curve *c, graze_context *context, const snaps
             continue;
         if (k + 1 < list->count) {
             vector_middle(middle, at->at, at[1].at, 3);
-            TRY(is_contact_point(&next, context, s, e->kind, facet, count, middle));
+            TRY(is_contact_point(&next, context, s, e->kind, facets, middle));
         }
-        TRY(is_contact_point(&here, context, s, e->kind, facet, count, at->at));
+        TRY(is_contact_point(&here, context, s, e->kind, facets, at->at));
         if (open && !(next && here)) {
             TRY(add_curve_part(c, context, GRAZE_CURVE_RUN, &e->name, edge, &list->item[from], at));
             open = 0;
@@ -325,11 +345,9 @@ static int is_end_of_part(const graze_curve *c, const fmpq *at) {
 graze_status parts_add_vertex(graze_curve *c, graze_context *context, const snapshot *s,
                               size_t vertex) {
     const cell_complex *cells = &s->e->cells;
-    size_t first = cells->vertex_facets.start[vertex];
     int contact = 0;
     TRY(is_contact_point(&contact, context, s, cells->vertex[vertex].kind,
-                         cells->vertex_facets.item + first,
-                         cells->vertex_facets.start[vertex + 1] - first, vertex_at(s, vertex)));
+                         cells_of(&cells->vertex_facets, vertex), vertex_at(s, vertex)));
     if (!contact)
         return GRAZE_OK;
     slice_point at = {.end = end_at(vertex)};

@@ -15,11 +15,6 @@ void moments_clear(moment_list *list);
 graze_status moments_between(fmpq_t out, graze_context *context, const moment_list *list,
                              size_t from, size_t to);
 
-/* Connected parts of a curve. */
-
-/** Set `chain` and `form` of all parts of a curve (E^3). */
-graze_status chains_find(graze_curve *c, graze_context *context, const cell_complex *cells);
-
 /* The cells of a boundary. */
 
 /** @param[out] out uninitialised; complex_clear in any case */
@@ -122,13 +117,13 @@ graze_status limits_find(graze_patches *p, graze_context *context, const place_l
 
 /* Velocities of all points of the body at one time. */
 
-/** `velocity` and `bend` are matrices of d rows and d + 1 columns. Applied to (y, 1) they give c'
- * and c'' of the trajectory through y, times a positive number each. */
+/** A time at which the motion is smooth, and c' and c'' of the trajectories there, times a positive
+ * number each, as maps of a flow. */
 typedef struct snapshot {
     const graze_envelope *e;
     int dimension;
     fmpq_t t;
-    fmpq *velocity, *bend;
+    fmpz *velocity, *bend;
 } snapshot;
 
 /** @param[out] out uninitialised; snapshot_clear in any case
@@ -142,10 +137,6 @@ void snapshot_g(fmpq_t out, const snapshot *s, size_t facet, const fmpq *y);
 int snapshot_g_sign(const snapshot *s, size_t facet, const fmpq *y);
 /** The sign of theta of a facet at point y. */
 int snapshot_theta_sign(const snapshot *s, size_t facet, const fmpq *y);
-
-/** The zero between p and q of an affine function that is `a` at p and `b` at q; the signs of a and
- * b differ. */
-void snapshot_zero(fmpq *out, const fmpq_t a, const fmpq_t b, const fmpq *p, const fmpq *q, int d);
 
 /* The contact points of facets, edges and vertices at one time, cell by cell. */
 
@@ -171,9 +162,6 @@ graze_status parts_look_at_middle(graze_trim *trim, graze_orientation *orientati
 
 /** Is a point in the facet, its border included? */
 int parts_facet_holds(const cell_complex *c, size_t facet, const fmpq *at);
-/** Is the point x of the simplex's plane, d + 1 homogeneous integers, in the closed simplex?
- * `plane` is the form from solid_plane. */
-int parts_simplex_holds(const cell_complex *c, size_t simplex, const fmpz *plane, const fmpz *x);
 /** Do two triangles of the facet have both vertices as corners? Then the side between a and b lies
  * within the facet. */
 int parts_side_is_inner(const cell_complex *c, size_t facet, size_t a, size_t b);

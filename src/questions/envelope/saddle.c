@@ -29,8 +29,9 @@ static int span_plane(fmpz *normal, const cell_complex *c, size_t vertex, size_t
     ray_of(ray + 3, c, swap ? first : second, vertex);
     directions_cross(normal, ray, ray + 3);
     int found = !_fmpz_vec_is_zero(normal, 3);
-    for (size_t j = c->vertex_facets.start[vertex]; j < c->vertex_facets.start[vertex + 1]; j++)
-        found = found && !directions_parallel(normal, c->facet[c->vertex_facets.item[j]].normal);
+    cell_span facets = cells_of(&c->vertex_facets, vertex);
+    for (size_t j = 0; j < facets.count; j++)
+        found = found && !directions_parallel(normal, c->facet[facets.item[j]].normal);
     return found;
 }
 
@@ -55,105 +56,82 @@ static graze_status gather_pair(graze_envelope *e, graze_context *context, size_
 
 graze_status saddle_gather(graze_envelope *e, graze_context *context, size_t vertex) {
     const cell_complex *c = &e->cells;
-    const size_t *edge = c->vertex_edges.item;
-    size_t start = c->vertex_edges.start[vertex], end = c->vertex_edges.start[vertex + 1];
+    cell_span edges = cells_of(&c->vertex_edges, vertex);
     if (c->dimension == 2)
         return GRAZE_OK;
     LOCAL_VEC(fmpz, normal, 3);
-    for (size_t i = start; i < end; i++)
-        for (size_t j = i + 1; j < end; j++)
-            if (span_plane(normal, c, vertex, edge[i], edge[j]))
+    for (size_t i = 0; i < edges.count; i++)
+        for (size_t j = i + 1; j < edges.count; j++)
+            if (span_plane(normal, c, vertex, edges.item[i], edges.item[j]))
                 TRY(gather_pair(e, context, vertex, normal));
     return GRAZE_OK;
 }
 
-/* A vertex on one piece. `s` has the signs of g of the vertex's facets at the vertex, then, edge by
- * edge, the signs of g of the edge's facets at the edge's other end. */
+/* A vertex, with its facets and edges, on one piece. `s` has the signs of g of the vertex's facets
+ * at the vertex, then, edge by edge, the signs of g of the edge's facets at the edge's other end.
+ */
 typedef struct corner_view {
     graze_envelope *e;
     graze_context *context;
     size_t vertex, piece;
+    cell_span facets, edges;
     signs s;
 } corner_view;
 
-static size_t facets_at(const cell_complex *c, size_t vertex) {
-    return c->vertex_facets.start[vertex + 1] - c->vertex_facets.start[vertex];
-}
-
-/* An edge at the vertex, one of the edge's facets, and the position of their sign in corner_view.
- * next_pair sets the next pair; it returns 0 after the last. */
-typedef struct corner_pair {
-    size_t position, edge, facet;
-} corner_pair;
-
-static int next_pair(corner_pair *p, const cell_complex *c, size_t vertex, size_t *j, size_t *k) {
-    for (; *j < c->vertex_edges.start[vertex + 1]; ++*j, *k = 0) {
-        size_t edge = c->vertex_edges.item[*j], first = c->edge_facets.start[edge];
-        if (first + *k < c->edge_facets.start[edge + 1]) {
-            p->position++;
-            p->edge = edge;
-            p->facet = c->edge_facets.item[first + (*k)++];
-            return 1;
-        }
-    }
-    return 0;
-}
-
-static size_t pair_count(const cell_complex *c, size_t vertex) {
-    size_t count = 0;
-    for (size_t j = c->vertex_edges.start[vertex]; j < c->vertex_edges.start[vertex + 1]; j++)
-        count += c->edge_facets.start[c->vertex_edges.item[j] + 1] -
-                 c->edge_facets.start[c->vertex_edges.item[j]];
-    return count;
+/* The facets of edge j of the vertex. */
+static cell_span facets_along(const corner_view *v, size_t j) {
+    return cells_of(&v->e->cells.edge_facets, v->edges.item[j]);
 }
 
 static void corner_view_init(corner_view *v, graze_envelope *e, graze_context *context,
                              size_t vertex, size_t piece) {
     const cell_complex *c = &e->cells;
     const derivatives *f = &e->field[piece];
-    size_t n = facets_at(c, vertex), total = n + pair_count(c, vertex);
     *v = (corner_view){.e = e, .context = context, .vertex = vertex, .piece = piece};
+    v->facets = cells_of(&c->vertex_facets, vertex);
+    v->edges = cells_of(&c->vertex_edges, vertex);
+    size_t total = v->facets.count, at = total;
+    for (size_t j = 0; j < v->edges.count; j++)
+        total += facets_along(v, j).count;
     signs_init(&v->s, total, total);
-    for (size_t j = 0; j < n; j++)
-        derivatives_velocity(&v->s.p[j], f,
-                             c->vertex_facets.item[c->vertex_facets.start[vertex] + j], vertex);
-    corner_pair p = {.position = n - 1};
-    size_t j = c->vertex_edges.start[vertex], k = 0;
-    while (next_pair(&p, c, vertex, &j, &k))
-        derivatives_velocity(&v->s.p[p.position], f, p.facet, other_end(&c->edge[p.edge], vertex));
+    for (size_t j = 0; j < v->facets.count; j++)
+        derivatives_velocity(&v->s.p[j], f, v->facets.item[j], vertex);
+    for (size_t j = 0; j < v->edges.count; j++)
+        for (size_t k = 0; k < facets_along(v, j).count; k++)
+            derivatives_velocity(&v->s.p[at++], f, facets_along(v, j).item[k],
+                                 other_end(&c->edge[v->edges.item[j]], vertex));
 }
 
 static void corner_view_clear(corner_view *v) {
     signs_clear(&v->s);
 }
 
+/* The signs at point k of the axis or, if `before`, between points k - 1 and k. */
+static const signed char *signs_of(const corner_view *v, size_t k, int before) {
+    return before ? signs_before(&v->s, k) : signs_at(&v->s, k);
+}
+
 /* The position of a facet among those of the vertex. */
-static size_t facet_place(const cell_complex *c, size_t vertex, size_t facet) {
-    size_t j = c->vertex_facets.start[vertex];
-    while (c->vertex_facets.item[j] != facet)
+static size_t facet_place(const corner_view *v, size_t facet) {
+    size_t j = 0;
+    while (v->facets.item[j] != facet)
         j++;
-    return j - c->vertex_facets.start[vertex];
+    return j;
 }
 
 /* Does a run on a convex edge reach the vertex, by the signs at one point of the axis or between
  * two? */
 static int run_reaches(const corner_view *v, const signed char *sign) {
-    const cell_complex *c = &v->e->cells;
-    corner_pair p = {.position = facets_at(c, v->vertex) - 1, .edge = SIZE_MAX};
-    size_t j = c->vertex_edges.start[v->vertex], k = 0, edge = SIZE_MAX;
-    int low = 1, high = -1;
-    while (next_pair(&p, c, v->vertex, &j, &k)) {
-        if (p.edge != edge) {
-            low = 1;
-            high = -1;
-            edge = p.edge;
+    const signed char *far = sign + v->facets.count;
+    for (size_t j = 0; j < v->edges.count; j++) {
+        int low = 1, high = -1;
+        for (size_t k = 0; k < facets_along(v, j).count; k++, far++) {
+            int here = sign[facet_place(v, facets_along(v, j).item[k])];
+            here = here ? here : *far;
+            low = here < low ? here : low;
+            high = here > high ? here : high;
         }
-        int here = sign[facet_place(c, v->vertex, p.facet)];
-        here = here ? here : sign[p.position];
-        low = here < low ? here : low;
-        high = here > high ? here : high;
-        if (c->edge[edge].kind == PLACE_CONVEX && low <= 0 && high >= 0 &&
-            k == c->edge_facets.start[edge + 1] - c->edge_facets.start[edge])
+        if (v->e->cells.edge[v->edges.item[j]].kind == PLACE_CONVEX && low <= 0 && high >= 0)
             return 1;
     }
     return 0;
@@ -164,31 +142,25 @@ static int run_reaches(const corner_view *v, const signed char *sign) {
  * along which g is 0 at the point do not count (proofs/events.md C82). `own` is the position of the
  * sign of the facet's g at the vertex. */
 static int slice_comes(const corner_view *v, size_t facet, size_t own, size_t at) {
-    const cell_complex *c = &v->e->cells;
-    const signed char *here = signs_at(&v->s, at);
-    corner_pair p = {.position = facets_at(c, v->vertex) - 1};
-    size_t j = c->vertex_edges.start[v->vertex], k = 0;
+    size_t position = v->facets.count;
     int comes = 0;
-    while (next_pair(&p, c, v->vertex, &j, &k)) {
-        if (p.facet != facet || here[p.position] == 0)
-            continue;
-        if (at > 0)
-            comes |= signs_before(&v->s, at)[own] * signs_before(&v->s, at)[p.position] < 0;
-        if (at + 1 < v->s.x.count)
-            comes |= signs_before(&v->s, at + 1)[own] * signs_before(&v->s, at + 1)[p.position] < 0;
-    }
+    for (size_t j = 0; j < v->edges.count; j++)
+        for (size_t k = 0; k < facets_along(v, j).count; k++, position++) {
+            if (facets_along(v, j).item[k] != facet || signs_at(&v->s, at)[position] == 0)
+                continue;
+            for (size_t m = at ? at : 1; m <= at + 1 && m < v->s.x.count; m++)
+                comes |= signs_before(&v->s, m)[own] * signs_before(&v->s, m)[position] < 0;
+        }
     return comes;
 }
 
 /* Does the slice of a facet (graze/envelope.h) reach the vertex at point k of the time axis or, if
  * `before`, between the points k - 1 and k? */
 static graze_status slice_reaches(int *out, const corner_view *v, size_t k, int before) {
-    const cell_complex *c = &v->e->cells;
-    const signed char *sign = before ? signs_before(&v->s, k) : signs_at(&v->s, k);
     *out = 0;
-    for (size_t j = 0; j < facets_at(c, v->vertex) && !*out; j++) {
-        size_t facet = c->vertex_facets.item[c->vertex_facets.start[v->vertex] + j];
-        if (sign[j] != 0)
+    for (size_t j = 0; j < v->facets.count && !*out; j++) {
+        size_t facet = v->facets.item[j];
+        if (signs_of(v, k, before)[j] != 0)
             continue;
         *out = before ? enters_before(v->e, facet, v->vertex, v->piece, &v->s.x, k)
                       : slice_comes(v, facet, j, k);
@@ -201,12 +173,11 @@ static graze_status slice_reaches(int *out, const corner_view *v, size_t k, int 
 /* Does the vertex's velocity or its opposite lead into the solid, at point k or, if `before`,
  * between points k - 1 and k? At a reflex vertex one of them does unless g of all facets is 0. */
 static graze_status leads_in(int *out, const corner_view *v, size_t k, int before) {
-    const cell_complex *c = &v->e->cells;
-    const signed char *sign = before ? signs_before(&v->s, k) : signs_at(&v->s, k);
+    const signed char *sign = signs_of(v, k, before);
     *out = 0;
-    for (size_t j = 0; j < facets_at(c, v->vertex); j++)
+    for (size_t j = 0; j < v->facets.count; j++)
         *out |= sign[j] != 0;
-    if (c->vertex[v->vertex].kind == PLACE_REFLEX || !*out)
+    if (v->e->cells.vertex[v->vertex].kind == PLACE_REFLEX || !*out)
         return GRAZE_OK;
     HELD(algebraic, u);
     if (before)
@@ -219,7 +190,7 @@ static graze_status leads_in(int *out, const corner_view *v, size_t k, int befor
 static graze_status judge_place(corner_view *v, size_t k, int before) {
     graze_envelope *e = v->e;
     const graze_cell *name = &e->cells.vertex[v->vertex].name;
-    int run = run_reaches(v, before ? signs_before(&v->s, k) : signs_at(&v->s, k));
+    int run = run_reaches(v, signs_of(v, k, before));
     int reaches = run, leads = 0;
     if (run)
         TRY(judge_find(e, v->context, GRAZE_REASON_REACHES, &NO_CELL, name, v->piece,

@@ -1,6 +1,7 @@
 /* Draws contact points at random. SPDX-License-Identifier: GPL-3.0-or-later */
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "base/number/order.h"
 #include "base/number/random.h"
 #include "decide/bounds/bounds.h"
@@ -68,14 +69,9 @@ static graze_status pick_parameter(fmpq_t out, graze_context *context, const gra
 
 /* Draw a point of a part, strictly between its ends if these differ. */
 static void pick_point(fmpq *out, const curve_part *part, int d, random_stream *r) {
-    LOCAL_VEC(fmpq, lambda, 2);
-    fmpq *step = lambda + 1;
+    LOCAL(fmpq, lambda);
     fmpq_set_si(lambda, (slong)random_below(r, 15) + 1, 16);
-    for (int i = 0; i < d; i++) {
-        fmpq_sub(step, part->b + i, part->a + i);
-        fmpq_mul(step, step, lambda);
-        fmpq_add(out + i, part->a + i, step);
-    }
+    vector_between(out, part->a, part->b, lambda, d);
 }
 
 graze_status sample_make(graze_site *out, int *found, graze_context *context,

@@ -162,60 +162,11 @@ graze_status saddle_judge(graze_envelope *e, graze_context *context, size_t vert
 /** Gather `singular` events of a facet (E^3). */
 graze_status singular_gather(graze_envelope *e, graze_context *context, size_t facet);
 
-/* Whether a facet has a contact of order 4 or more, [AMS]'s singular trim points, at a time. */
-
-/** The polynomials of a singular_view: rows of g (negated), theta and the third derivative at the
- * corners of the facet's first triangle; the cross products of two rows, three entries each; and
- * the determinant of the rows. */
-enum {
-    SINGULAR_ROWS = 9,
-    SINGULAR_MINORS = 9,
-    SINGULAR_DETERMINANT = SINGULAR_ROWS + SINGULAR_MINORS,
-    SINGULAR_SIGNS
-};
-
-/** A facet on one piece of the motion. */
-typedef struct singular_view {
-    const graze_envelope *e;
-    graze_context *context;
-    size_t facet, piece;
-    fmpz_poly_struct p[SINGULAR_SIGNS];
-} singular_view;
-
-/** @param[out] out uninitialised; singular_view_clear after it */
-void singular_view_init(singular_view *out, const graze_envelope *e, graze_context *context,
-                        size_t facet, size_t piece);
-void singular_view_clear(singular_view *v);
-
-/** Does a cheap test show that g has one strict sign at all corners of the facet, at all times of
- * the piece? Then the facet has no contact of order 4 or more. 0 says nothing. */
-int singular_is_never(const singular_view *v);
-
-/** Is the determinant 0 at all times of the piece? If not, contacts of order 4 or more occur at its
- * roots only. */
-int singular_is_lasting(const singular_view *v);
-
-/** Has the facet's relative interior a contact of order 4 or more at u? */
-graze_status singular_exists(int *out, const singular_view *v, algebraic *u);
-
-/** Find the times at which the answer of singular_exists may change (proofs/events.md C80): between
- * neighbouring times the answer is constant.
- * @param[out] out uninitialised; axis_clear in any case */
-graze_status singular_axis(axis *out, const singular_view *v);
-
 /* Facets with g = 0 at all of their points. */
 
 /** Set `still` of a facet. At single times at which g vanishes on all of the facet, note a finding
  * if theta is negative at a corner, or if another facet of a reflex edge has g not 0 at an end of
  * that edge. */
 graze_status gather_whole(graze_envelope *e, graze_context *context, size_t facet);
-
-/* A point of a facet that lies in no lower cell. */
-
-/** The middle of the facet's first simplex, or, if an edge or a vertex of the boundary passes
- * through it, another point in the interior of that simplex.
- * @param[out] out d rationals */
-graze_status within_facet(fmpq *out, graze_context *context, const cell_complex *cells,
-                          size_t facet);
 
 #endif

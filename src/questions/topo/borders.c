@@ -67,11 +67,8 @@ static graze_status add_border(borders *b, graze_context *context, fmpz *normal)
 /* Add a plane, given by its normal in the germ's body, as a plane of directions about P. */
 static graze_status add_body_border(borders *b, graze_context *context, const germ *g,
                                     const fmpz *normal) {
-    int d = b->dimension;
-    LOCAL_VEC(fmpz, n, d);
-    for (int column = 0; column < d; column++)
-        for (int row = 0; row < d; row++)
-            fmpz_addmul(n + column, g->to_body + row * d + column, normal + row);
+    LOCAL_VEC(fmpz, n, b->dimension);
+    germ_normal_about(n, g, normal);
     return add_border(b, context, n);
 }
 

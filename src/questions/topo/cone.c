@@ -19,17 +19,12 @@
 
 /* Does a facet in the plane contain the cone's point, which is in the plane? */
 static int plane_holds_point(const local_cone *cone, size_t plane) {
-    int d = cone->dimension, found = 0;
+    int found = 0;
+    unsigned zero = 0;
     const plane_list *list = cone->planes;
-    LOCAL_VEC(fmpz, side, d + 1);
-    for (uint32_t k = list->start[plane]; k < list->start[plane + 1] && !found; k++) {
-        int inside = 1;
-        for (int s = 0; s < d && inside; s++) {
-            solid_side(side, cone->solid, list->order[k], list->form + plane * (size_t)(d + 1), s);
-            inside = form_sign(side, cone->at, d) >= 0;
-        }
-        found = inside;
-    }
+    const fmpz *form = list->form + plane * (size_t)(cone->dimension + 1);
+    for (uint32_t k = list->start[plane]; k < list->start[plane + 1] && !found; k++)
+        found = solid_holds(&zero, cone->solid, list->order[k], form, cone->at);
     return found;
 }
 

@@ -76,6 +76,9 @@ graze_status germ_cover_body(germ_cover *out, germ *g, graze_context *context, c
 graze_status germ_cover_part(germ_cover *out, germ *g, graze_context *context,
                              const fmpz *direction, int part);
 
+/** Carry a normal of the body to a normal about the point; `out` is not the normal. */
+void germ_normal_about(fmpz *out, const germ *g, const fmpz *normal);
+
 /** In E^3: find h and k that span the vectors perpendicular to v, which is not 0. */
 void directions_basis(fmpz *h, fmpz *k, const fmpz *v);
 
@@ -117,13 +120,6 @@ graze_status grid_resultant(fmpz_mpoly_t out, graze_context *context, const pull
 
 /* The part of a germ on one side of a plane, as a form on the plane's directions. */
 
-/** A chart of the directions of the plane with the basis h, k: the parameter b in [-1, 1] stands
- * for h + b k, with `swapped` for b h + k; with `opposite` for the negative of these. Four charts
- * cover the plane's directions. */
-typedef struct direction_chart {
-    int swapped, opposite;
-} direction_chart;
-
 /** The half of a germ below or above the plane. Write a place near the point as x + z N, with x in
  * the plane. The germ covers z < Q(x)^(1/m), with `above` z > Q(x)^(1/m), up to terms smaller than
  * this leading one. Q is a form of degree m + 1; the root has the sign of Q (proofs/topology.md
@@ -137,19 +133,8 @@ typedef struct half_germ {
     fmpq_poly_t reach, turn;
 } half_germ;
 
-void half_germ_init(half_germ *half);
-void half_germ_clear(half_germ *half);
-
-/** Write a form in a chart, as a polynomial in b times a positive number.
- * @param form the form of this degree at h + b k, as a polynomial in b */
-void half_in_chart(fmpz_poly_t out, const fmpq_poly_t form, slong degree, direction_chart chart);
-
 /** out = v |v|^(n - 1). */
 void signed_power(fmpq_t out, const fmpq_t v, slong n);
-
-/** Is the germ's form valid at a parameter of the chart? */
-graze_status half_is_valid(int *out, const half_germ *half, graze_context *context,
-                           direction_chart chart, algebraic *at);
 
 /* The halves of a germ below and above a plane through the point, by leading terms. */
 
@@ -184,15 +169,6 @@ typedef struct plane_gap {
 void plane_gap_init(plane_gap *gap);
 void plane_gap_clear(plane_gap *gap);
 
-/** Set a gap in the direction that b is in the chart; `along` is that direction times b's
- * denominator. The order is 0 if the leading terms leave no room.
- * @param item germs whose valid leading terms are consistent: each `above` term is at least each
- * `below` term */
-graze_status gap_set(plane_gap *gap, const open_plane *h, graze_context *context,
-                     const half_germ *item, size_t count, direction_chart chart, const fmpq_t b);
-
-enum { TURN_RAYS = 128 };
-
 /* Plane curves in coordinates about a point. */
 
 /** out = the curve at (x + P_x, y + P_y), primitive, for a point of 2 rationals; `curve` is not 0.
@@ -224,6 +200,9 @@ graze_status sides_add(germ *g, graze_context *context, const point_map *map, fm
 
 /* Directions given only by their signs against a cone's planes, which are signs of polynomials at
  * a real algebraic number. */
+
+/** A normal pulled back to directions about the point: d functions of time. */
+void signs_pull_back_normal(fmpz_poly_struct *out, const point_map *map, const fmpz *normal);
 
 /** The scalar product of a pulled back normal with a direction about the point, as a function of
  * time, times a positive one. */

@@ -23,11 +23,6 @@ graze_status beyond_closed(int *out, graze_context *context, const graze_scene *
  *
  * The radius is made so small that a polynomial's terms cannot cancel its lowest one on [-r, r]. */
 
-/** Raise the number of places until, on [-r, r], a term of degree `degree` with a coefficient of
- * `bits` bits is below 1 / `terms` of a constant of `constant` bits: (bits - constant + 1 + log2
- * terms) / degree places suffice. */
-void places_for_term(ulong *places, ulong constant, ulong bits, ulong degree, ulong terms);
-
 /** Raise the number of places until p, not zero, has no root in [-r, r] but 0. */
 void places_below_roots(ulong *places, const fmpz_poly_t p);
 

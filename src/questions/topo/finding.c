@@ -1,10 +1,16 @@
-/* Results and the names of their levels. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Results and the names of their levels; a hint by places at a few distances.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/topo/topo.h"
 
 #include "base/context/context.h"
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include <math.h>
+#include "base/context/scope.h"
 #include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
+#include "input/solid/solid.h"
 #include "questions/topo/eliminate.h"
 #include "questions/topo/near.h"
 
@@ -67,4 +73,89 @@ graze_status beyond_closed(int *out, graze_context *context, const graze_scene *
         classify_verdict(&verdict, context, scene, (query_point){.rational = point});
     *out = !status && verdict.pmc == wanted;
     return status;
+}
+
+typedef struct hint_maker {
+    graze_context *context;
+    const graze_scene *scene;
+    const fmpq *point;
+    fmpq *out;
+    slong exponent; /* the solid's width is about 2^exponent */
+    int found;
+} hint_maker;
+
+static void divide_2exp(fmpq_t x, slong places) {
+    if (places < 0)
+        fmpq_mul_2exp(x, x, (ulong)-places);
+    else
+        fmpq_div_2exp(x, x, (ulong)places);
+}
+
+/* Is the place P + r v + r^2 w / 8 out, with r about 2^-places times the solid's width, for v and w
+ * scaled to a length of about 1? */
+static graze_status try_place(hint_maker *m, const fmpz *v, const fmpz *w, ulong places) {
+    LOCAL_VEC(fmpq, step, 2);
+    fmpq *bend = step + 1;
+    slong down = (slong)places - m->exponent;
+    for (int k = 0; k < 3; k++) {
+        fmpq_set_fmpz(step, v + k);
+        fmpq_set_fmpz(bend, w + k);
+        divide_2exp(step, down + FLINT_ABS(_fmpz_vec_max_bits(v, 3)));
+        divide_2exp(bend, 2 * down + FLINT_ABS(_fmpz_vec_max_bits(w, 3)) + 3);
+        fmpq_add(step, step, bend);
+        fmpq_add(m->out + k, m->point + k, step);
+    }
+    return beyond_closed(&m->found, m->context, m->scene, m->out);
+}
+
+/* Try a direction, straight and bent to both sides of the plane with the normal, if that is not 0.
+ */
+static graze_status look_along_both(hint_maker *m, const fmpz *v, const fmpz *normal,
+                                    ulong places) {
+    LOCAL_VEC(fmpz, bend, 3);
+    for (slong sign = 0; sign < 3 && !m->found; sign++) {
+        _fmpz_vec_scalar_mul_si(bend, normal, 3, sign == 2 ? -1 : sign);
+        if (sign == 0 || !_fmpz_vec_is_zero(normal, 3))
+            TRY(try_place(m, v, bend, places));
+    }
+    return GRAZE_OK;
+}
+
+/* Try the open direction, the 26 directions with entries -1, 0, 1 and, if there is a plane, the
+ * projections of these to the plane. */
+static graze_status look_about_point(hint_maker *m, const topo_finding *topo, ulong places) {
+    LOCAL_VEC(fmpz, v, 12);
+    fmpz *normal = v + 3, *in_plane = v + 6, *other = v + 9;
+    if (topo->has_across)
+        _fmpz_vec_set(normal, topo->across, 3);
+    if (topo->has_open)
+        TRY(look_along_both(m, topo->open, normal, places));
+    for (slong k = 0; k < 27 && !m->found; k++) {
+        fmpz_set_si(v, k % 3 - 1);
+        fmpz_set_si(v + 1, k / 3 % 3 - 1);
+        fmpz_set_si(v + 2, k / 9 - 1);
+        directions_cross(other, normal, v);
+        directions_cross(in_plane, normal, other);
+        if (!_fmpz_vec_is_zero(v, 3))
+            TRY(look_along_both(m, v, normal, places));
+        if (!m->found && !_fmpz_vec_is_zero(in_plane, 3))
+            TRY(look_along_both(m, in_plane, normal, places));
+    }
+    return GRAZE_OK;
+}
+
+graze_status hint_find(int *found, fmpq *out, ulong *places, graze_context *context,
+                       const graze_scene *scene, const fmpq *point, const topo_finding *topo) {
+    static const ulong scale[] = {100, 60, 40, 24, 16, 10, 6, 3};
+    hint_maker m = {.context = context, .scene = scene, .point = point, .out = out};
+    int exponent = 0;
+    double width = box_extent(&scene->solid->boxes.node[0].box);
+    (void)frexp(isfinite(width) ? width : 1, &exponent);
+    m.exponent = exponent;
+    for (size_t k = 0; k < sizeof scale / sizeof *scale && !m.found; k++) {
+        *places = scale[k];
+        TRY(look_about_point(&m, topo, *places));
+    }
+    *found = m.found;
+    return GRAZE_OK;
 }

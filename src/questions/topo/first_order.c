@@ -10,6 +10,8 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/order.h"
 #include "decide/filter/filter.h"
@@ -20,6 +22,71 @@
 #include "questions/topo/cover.h"
 #include "questions/topo/eliminate.h"
 #include "questions/topo/near.h"
+
+void germ_list_init(germ_list *list) {
+    memset(list, 0, sizeof *list);
+    list->bounded = 1;
+    list->reason = "";
+}
+
+static void clear_germ(germ *g) {
+    cone_clear(&g->cone);
+    germ_drop_root(g);
+    if (g->has_time)
+        fmpq_clear(&g->time);
+    for (int i = 0; i < 9; i++)
+        fmpz_clear(g->to_body + i);
+    for (int i = 0; i < 6; i++) {
+        fmpz_clear(g->side[i / 3].e + i % 3);
+        fmpz_clear(g->side[i / 3].later + i % 3);
+    }
+}
+
+static void germs_drop_last(germ_list *list) {
+    clear_germ(&list->item[--list->count]);
+}
+
+void germ_list_clear(germ_list *list) {
+    for (size_t k = 0; k < list->count; k++)
+        clear_germ(&list->item[k]);
+    for (size_t k = 0; k < list->turn_count; k++) {
+        algebraic_clear(&list->turn[k].from);
+        algebraic_clear(&list->turn[k].to);
+    }
+    free(list->item);
+    free(list->turn);
+}
+
+/* Append a germ with the map of its piece; its other members are zeros. */
+static graze_status germs_append(germ **out, germ_list *list, graze_context *context,
+                                 const point_map *map) {
+    TRY(array_grow(context, &list->item, &list->capacity, list->count + 1, sizeof *list->item,
+                   "the contacts of a point"));
+    *out = &list->item[list->count++];
+    memset(*out, 0, sizeof **out);
+    (*out)->map = map;
+    return GRAZE_OK;
+}
+
+/* Append a turning stretch between two times; the list's last germ is at a time inside it. */
+static graze_status germs_append_turn(germ_list *list, graze_context *context,
+                                      const algebraic *from, const algebraic *to) {
+    TRY(array_grow(context, &list->turn, &list->turn_capacity, list->turn_count + 1,
+                   sizeof *list->turn, "the times in which the solid turns"));
+    turning_stretch *t = &list->turn[list->turn_count++];
+    t->germ = list->count - 1;
+    algebraic_init(&t->from);
+    algebraic_init(&t->to);
+    algebraic_set(&t->from, from);
+    algebraic_set(&t->to, to);
+    return GRAZE_OK;
+}
+
+/* Clear `bounded`, as germs are missing, and keep the reason, a static text. */
+static void germs_leave_open(germ_list *list, const char *reason) {
+    list->bounded = 0;
+    list->reason = reason;
+}
 
 /* State of making the germs of one piece of the motion. */
 typedef struct germ_maker {

@@ -6,6 +6,8 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
+#include "decide/trace/trace.h"
 #include "questions/topo/cover.h"
 
 /* A plane of a cone as an affine function value + r . place of places about the point, expanded in
@@ -22,57 +24,41 @@ static void plane_ways_clear(plane_ways *w) {
     _fmpq_vec_clear(w->value, WAYS_ENTRIES);
 }
 
-/* The constant term of plane j of a cone, whose form vanishes at the cone's point. */
-static void constant_of_plane(fmpq_t out, const local_cone *cone, size_t j) {
-    LOCAL(fmpz, at);
-    _fmpz_vec_dot(at, cone->normal + 3 * j, cone->at, 3);
-    fmpz_neg(at, at);
-    fmpq_set_fmpz_frac(out, at, cone->at + 3);
+/* Set two coefficients, from a given power on, of p / scale in powers of the time since u. */
+static void expand_at(fmpq *out, const fmpz_poly_t p, const fmpz_t scale, const fmpq_t u,
+                      slong power) {
+    LOCAL(fmpq_poly, q);
+    LOCAL(fmpq_poly, later);
+    fmpq_poly_set_coeff_fmpq(later, 0, u);
+    fmpq_poly_set_coeff_si(later, 1, 1);
+    fmpq_poly_set_fmpz_poly(q, p);
+    fmpq_poly_compose(q, q, later);
+    fmpq_poly_scalar_div_fmpz(q, q, scale);
+    for (int k = 0; k < 2; k++)
+        fmpq_poly_get_coeff_fmpq(out + k, q, power + k);
 }
 
 /* Expand plane j of a germ at its time; the kept powers of `value` begin with `order`. */
 static void plane_ways_init(plane_ways *w, const germ *g, size_t j, slong order,
                             const fmpq *point) {
-    static const fmpz axis[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    LOCAL(fmpz_poly, p);
-    LOCAL(fmpq_poly, sum);
-    LOCAL(fmpq_poly, part);
-    LOCAL(fmpq_poly, later);
-    LOCAL(fmpq, c);
+    LOCAL_VEC(fmpz_poly, p, 3);
+    LOCAL_VEC(fmpz, place, 5);
+    fmpz *scale = place + 4;
+    LOCAL_VEC(fmpq, part, 2);
+    HELD(trajectory, path, 3);
     w->value = _fmpq_vec_init(WAYS_ENTRIES);
     w->normal[0] = w->value + 2;
     w->normal[1] = w->value + 5;
-    fmpq_poly_set_coeff_fmpq(later, 0, &g->time);
-    fmpq_poly_set_coeff_si(later, 1, 1);
-    constant_of_plane(c, &g->cone, j);
-    fmpq_poly_set_fmpz_poly(sum, g->map->weight);
-    fmpq_poly_scalar_mul_fmpq(sum, sum, c);
-    fmpz_poly_zero(p);
-    for (int row = 0; row < 3; row++)
-        fmpz_poly_scalar_addmul_fmpz(p, &g->map->entry[row * 4 + 3], g->cone.normal + 3 * j + row);
-    fmpq_poly_set_fmpz_poly(part, p);
-    fmpq_poly_add(sum, sum, part);
+    _fmpq_vec_get_fmpz_vec_fmpz(place, place + 3, point, 3);
+    trajectory_carry(&path, g->map, place);
+    distance_from_plane(p, &g->cone, j, &path);
+    fmpz_mul(scale, place + 3, g->cone.at + 3);
+    expand_at(w->value, p, scale, &g->time, order);
+    signs_pull_back_normal(p, g->map, g->cone.normal + 3 * j);
     for (int i = 0; i < 3; i++) {
-        signs_pull_back(p, g->map, g->cone.normal + 3 * j, axis[i]);
-        fmpq_poly_set_fmpz_poly(part, p);
-        fmpq_poly_compose(part, part, later);
+        expand_at(part, p + i, &(fmpz){1}, &g->time, 0);
         for (int k = 0; k < 2; k++)
-            fmpq_poly_get_coeff_fmpq(w->normal[k] + i, part, k);
-        fmpq_poly_set_fmpz_poly(part, p);
-        fmpq_poly_scalar_mul_fmpq(part, part, point + i);
-        fmpq_poly_add(sum, sum, part);
-    }
-    fmpq_poly_compose(sum, sum, later);
-    for (int k = 0; k < 2; k++)
-        fmpq_poly_get_coeff_fmpq(w->value + k, sum, order + k);
-}
-
-static void value_on(fmpq_t out, const fmpq *a, const fmpz *b) {
-    LOCAL(fmpq, part);
-    fmpq_zero(out);
-    for (int i = 0; i < 3; i++) {
-        fmpq_mul_fmpz(part, a + i, b + i);
-        fmpq_add(out, out, part);
+            fmpq_swap(w->normal[k] + i, part + k);
     }
 }
 
@@ -82,7 +68,7 @@ static void linear_on_plane(fmpq_poly_t out, const open_plane *h, const fmpq *no
     LOCAL(fmpq, value);
     fmpq_poly_zero(out);
     for (int i = 0; i < 2; i++) {
-        value_on(value, normal, h->basis[i]);
+        vector_dot_integers(value, h->basis[i], normal, 3);
         fmpq_poly_set_coeff_fmpq(out, i, value);
     }
 }
@@ -112,7 +98,7 @@ static int form_of_facet(half_germ *out, const open_plane *h, const germ *g,
         fmpq_poly_neg(out->turn, out->turn);
     out->has_turn = 1;
     out->order = n - 1;
-    value_on(scale, w.normal[0], h->normal);
+    vector_dot_integers(scale, h->normal, w.normal[0], 3);
     signed_power(scale, scale, n - 1);
     fmpq_abs(factor, w.value);
     fmpq_mul(scale, scale, factor);
@@ -150,7 +136,7 @@ static void form_of_ways(half_germ *out, const open_plane *h, const plane_ways *
     fmpq_poly_add(out->turn, out->turn, part);
     fmpq_poly_pow(out->form, out->turn, (ulong)order);
     fmpq_poly_mul(out->form, out->form, out->reach);
-    value_on(factor, both->normal[0], h->normal);
+    vector_dot_integers(factor, h->normal, both->normal[0], 3);
     signed_power(factor, factor, order);
     fmpq_neg(factor, factor);
     fmpq_poly_scalar_div_fmpq(out->form, out->form, factor);
@@ -198,9 +184,7 @@ static int form_of_edge_side(half_germ *out, const open_plane *h, const germ *g,
 /* Is the germ's facet, which holds the trajectory's place, parallel to the plane? */
 static int is_along_plane(const open_plane *h, const germ *g) {
     LOCAL_VEC(fmpz, across, 3);
-    for (int column = 0; column < 3; column++)
-        for (int row = 0; row < 3; row++)
-            fmpz_addmul(across + column, g->to_body + 3 * row + column, g->cone.normal + row);
+    germ_normal_about(across, g, g->cone.normal);
     return directions_parallel(across, h->normal);
 }
 

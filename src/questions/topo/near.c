@@ -1,27 +1,53 @@
-/* Shifts curves to a point, splits them into parts, and bounds the square's size by their events.
+/* A point is decided by one sample in each gap between the curves on the sides of a square.
+ *
+ * Shifts curves to a point, splits them into parts, and bounds the square's size by their events.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A polynomial g with g(0, 0) = c not 0 has no zero where its other terms sum to less than |c| in
  * absolute value. For parts through the origin every event is a root of a polynomial in one
  * variable: a leading coefficient, a discriminant, a resultant, or the part on a diagonal
  * (proofs/topology.md C48).
+ *
+ * Within the square the curves through the point cut each quarter between the diagonals into
+ * sectors. A sector is connected and misses the closed sweep's boundary, so it lies in the interior
+ * or in the exterior; every smaller square meets the same sectors (proofs/topology.md C49).
  */
+#include "questions/topo/topo.h"
+
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "base/number/isolate.h"
+#include "base/number/order.h"
+#include "decide/scene/scene.h"
+#include "decide/surfaces/surfaces.h"
 #include "questions/topo/cover.h"
 #include "questions/topo/eliminate.h"
 #include "questions/topo/near.h"
 
-void near_curves_init(near_curves *n) {
+/* Invariant (proofs/topology.md C48), with P at the origin and r = 2^-places: in the square |x|,
+ * |y| <= r the curves of the list that this was made of have no zeros but those of `through`. The
+ * polynomials of `through` are squarefree, pairwise coprime and vanish at the origin. For 0 < |x|
+ * <= r their real roots in y are simple and distinct, their number does not depend on |x|, and none
+ * is x or -x unless it is so for all x. All of this holds with x and y exchanged too. */
+typedef struct near_curves {
+    curve_list through;
+    ulong places;
+} near_curves;
+
+static void near_curves_init(near_curves *n) {
     curve_list_init(&n->through);
     n->places = 0;
 }
 
-void near_curves_clear(near_curves *n) {
+static void near_curves_clear(near_curves *n) {
     curve_list_clear(&n->through);
 }
 
-void places_for_term(ulong *places, ulong constant, ulong bits, ulong degree, ulong terms) {
+/* Raise the number of places until, on [-r, r], a term of degree `degree` with a coefficient of
+ * `bits` bits is below 1 / `terms` of a constant of `constant` bits: (bits - constant + 1 + log2
+ * terms) / degree places suffice. */
+static void places_for_term(ulong *places, ulong constant, ulong bits, ulong degree, ulong terms) {
     ulong needed = bits + 1 + FLINT_BIT_COUNT(terms);
     if (needed > constant)
         *places = FLINT_MAX(*places, (needed - constant + degree - 1) / degree);
@@ -165,8 +191,10 @@ static graze_status take_curves(near_maker *m, curve_list *parts, const curve_li
     return GRAZE_OK;
 }
 
-graze_status near_make(near_curves *n, int *refused, graze_context *context, const curve_list *all,
-                       const fmpq *point) {
+/* Find the parts and the square for a list of curves and a point of 2 rationals; *refused is 1 if r
+ * needs more than `bits` places (the context's limit), or coprime_add refuses. */
+static graze_status near_make(near_curves *n, int *refused, graze_context *context,
+                              const curve_list *all, const fmpq *point) {
     near_maker m = {n, 0, context};
     HELD(curve_list, parts);
     TRY(take_curves(&m, &parts, all, point));
@@ -197,11 +225,111 @@ static void curve_on_side(fmpz_poly_t out, const fmpz_mpoly_t g, const near_curv
     }
 }
 
-void near_side(fmpz_poly_t out, const near_curves *n, int axis, int negative) {
+/* The product of the curves `through` on a side of the square, times a power of 2, as a polynomial
+ * in the coordinate along the side. The side is on the line x = r or, with `negative`, x = -r; with
+ * `axis` 1 on y = r or y = -r. */
+static void near_side(fmpz_poly_t out, const near_curves *n, int axis, int negative) {
     LOCAL(fmpz_poly, one);
     fmpz_poly_set_ui(out, 1);
     for (size_t k = 0; k < n->through.count; k++) {
         curve_on_side(one, &n->through.item[k], n, axis, negative);
         fmpz_poly_mul(out, out, one);
     }
+}
+
+typedef struct square_maker {
+    topo_finding *out;
+    graze_context *context;
+    const graze_scene *scene;
+    const plane_view *view;
+    const fmpq *point;
+    graze_topo_level level;
+    near_curves *near;
+    int axis, negative; /* the current side */
+} square_maker;
+
+/* Keep the square on whose border the witness lies. */
+static void set_square(square_maker *m) {
+    topo_finding *out = m->out;
+    out->has_witness = 1;
+    fmpq_one(&out->reach);
+    fmpq_div_2exp(&out->reach, &out->reach, m->near->places);
+    for (int k = 0; k < 2; k++)
+        _fmpz_vec_set(out->along[k], m->view->along[k], m->view->dimension);
+}
+
+/* Classify the point of the current side at the coordinate `along`; a point that is out proves the
+ * boundary. */
+static graze_status sample_at(square_maker *m, const fmpq_t along) {
+    int beyond = 0;
+    LOCAL_VEC(fmpq, sample, 2);
+    fmpq_set_si(sample + m->axis, m->negative ? -1 : 1, 1);
+    fmpq_div_2exp(sample + m->axis, sample + m->axis, m->near->places);
+    fmpq_set(sample + (1 - m->axis), along);
+    for (int k = 0; k < 2; k++)
+        fmpq_add(sample + k, sample + k, m->point + k);
+    view_point(m->out->witness, m->view, sample);
+    TRY(beyond_closed(&beyond, m->context, m->scene, m->out->witness));
+    if (beyond) {
+        finding_set(m->out, GRAZE_TOPO_BOUNDARY, m->level);
+        set_square(m);
+    }
+    return GRAZE_OK;
+}
+
+/* Sample the gap between two numbers unless they are equal: a root may be at a corner, an end of
+ * the side. */
+static graze_status sample_gap(square_maker *m, algebraic *low, algebraic *high) {
+    int sign = 0;
+    TRY(algebraic_compare(&sign, m->context, low, high));
+    if (sign == 0)
+        return GRAZE_OK;
+    LOCAL(fmpq, along);
+    TRY(algebraic_between(along, m->context, low, high));
+    return sample_at(m, along);
+}
+
+static graze_status sample_side(square_maker *m) {
+    LOCAL(fmpz_poly, product);
+    HELD(dyadic_interval, side);
+    dyadic_interval_set_si(&side, -1, 1);
+    side.exponent = m->near->places;
+    HELD(algebraic_list, roots);
+    HELD(algebraic, low);
+    HELD(algebraic, high);
+    algebraic_set_dyadic(&low, side.low, side.exponent);
+    algebraic_set_dyadic(&high, side.high, side.exponent);
+    near_side(product, m->near, m->axis, m->negative);
+    TRY(algebraic_roots(&roots, m->context, product, &side));
+    for (size_t k = 0; k <= roots.count && !m->out->has_witness; k++)
+        TRY(sample_gap(m, k ? &roots.item[k - 1] : &low, k < roots.count ? &roots.item[k] : &high));
+    return GRAZE_OK;
+}
+
+graze_status square_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
+                           const curve_list *curves, const plane_view *view, const fmpq *point,
+                           graze_topo_level level) {
+    int refused = 0;
+    HELD(near_curves, near);
+    square_maker m = {.out = out,
+                      .context = context,
+                      .scene = scene,
+                      .view = view,
+                      .point = point,
+                      .level = level,
+                      .near = &near};
+    TRY(near_make(&near, &refused, context, curves, point));
+    if (refused) {
+        finding_undecided(
+            out, "a curve passes nearer, or has more digits, than the limit `bits` allows");
+        return GRAZE_OK;
+    }
+    for (int side = 0; side < 4 && !out->has_witness; side++) {
+        m.axis = side / 2;
+        m.negative = side % 2;
+        TRY(sample_side(&m));
+    }
+    if (!out->has_witness && (view->dimension == 2 || level == GRAZE_LEVEL_SECTION))
+        finding_set(out, GRAZE_TOPO_INTERIOR, level);
+    return GRAZE_OK;
 }

@@ -16,24 +16,8 @@
 void finding_set(topo_finding *f, graze_topo position, graze_topo_level level);
 void finding_undecided(topo_finding *f, const char *reason);
 
-/** Append a germ with the map of its piece; its other members are zeros. */
-graze_status germs_append(germ **out, germ_list *list, graze_context *context,
-                          const point_map *map);
-
-/** Remove the last germ. */
-void germs_drop_last(germ_list *list);
-
-/** Append a turning stretch between two times; the list's last germ is at a time inside it. */
-graze_status germs_append_turn(germ_list *list, graze_context *context, const algebraic *from,
-                               const algebraic *to);
-
-/** Allocate a germ's root at a time, with zeros as polynomials. */
-graze_status germ_make_root(germ *g, graze_context *context, const algebraic *time);
 /** Free a germ's root. */
 void germ_drop_root(germ *g);
-
-/** Clear `bounded`, as germs are missing, and keep the reason, a static text. */
-void germs_leave_open(germ_list *list, const char *reason);
 
 /* How a germ covers the direction opposite to a leading direction, and the two directions along an
  * edge. */
@@ -50,52 +34,12 @@ typedef struct direction_span {
 
 void direction_span_add(direction_span *s, const fmpz *v);
 
-/* A direction of E^3 along which the cover by the contacts is invariant. */
-
-/** Find a direction about the point that is parallel to all planes of all contacts' cones at all
- * times of their pieces; returns 0 if there is none. E^3 only; the list must be bounded. */
-int invariant_direction(fmpz *out, const germ_list *list);
-
-/** Find a direction parallel to all planes of all contacts' cones but the ones with the normal
- * `step`, which do not move and contain the trajectory throughout their pieces. Returns 1 if there
- * are such planes and the direction crosses them, else 0 with a zero `step` (proofs/topology.md
- * C128). */
-int invariant_beside_step(fmpz *out, fmpz *step, const germ_list *list, const fmpq *point);
-
 /* The level of leading directions: are all cells of the arrangement of borders covered? */
 
 /** Decide the position of an `on` point of a sweep, or leave it undecided with a reason
  * (proofs/topology.md C46). */
 graze_status leading_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                             const plane_list *planes, const fmpq *point);
-
-/* The curves near a point: the coprime parts through it, and a square around it without other
- * events. */
-
-/** Invariant (proofs/topology.md C48), with P at the origin and r = 2^-places: in the square |x|,
- * |y| <= r the curves of the list that this was made of have no zeros but those of `through`. The
- * polynomials of `through` are squarefree, pairwise coprime and vanish at the origin. For 0 < |x|
- * <= r their real roots in y are simple and distinct, their number does not depend on |x|, and none
- * is x or -x unless it is so for all x. All of this holds with x and y exchanged too. */
-typedef struct near_curves {
-    curve_list through;
-    ulong places;
-} near_curves;
-
-/** Begin without curves, with r = 1. */
-void near_curves_init(near_curves *n);
-void near_curves_clear(near_curves *n);
-
-/** Find the parts and the square for a list of curves and a point of 2 rationals.
- * @param[out] refused 1 if r needs more than `bits` places (the context's limit), or coprime_add
- * refuses */
-graze_status near_make(near_curves *n, int *refused, graze_context *context, const curve_list *all,
-                       const fmpq *point);
-
-/** The product of the curves `through` on a side of the square, times a power of 2, as a polynomial
- * in the coordinate along the side. The side is on the line x = r or, with `negative`, x = -r; with
- * `axis` 1 on y = r or y = -r. */
-void near_side(fmpz_poly_t out, const near_curves *n, int axis, int negative);
 
 /* A ray from an `on` point, whose other points are out up to some distance. */
 

@@ -11,6 +11,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_poly_factor.h>
 #include <flint/fmpz_vec.h>
+#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/sign.h"
 #include "questions/topo/cover.h"
@@ -41,6 +42,31 @@ int root_is_rational(fmpq_t out, const fmpz_poly_t minimal) {
     fmpz_neg(c, fmpz_poly_get_coeff_ptr(minimal, 0));
     fmpq_set_fmpz_frac(out, c, fmpz_poly_get_coeff_ptr(minimal, 1));
     return 1;
+}
+
+/* Allocate a germ's root at a time, with zeros as polynomials. */
+static graze_status germ_make_root(germ *g, graze_context *context, const algebraic *time) {
+    germ_root *root = malloc(sizeof *root + g->cone.count * sizeof *root->way);
+    if (!root)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a contact");
+    root->count = g->cone.count;
+    for (size_t j = 0; j < root->count; j++)
+        fmpz_poly_init(root->way + j);
+    algebraic_init(&root->time);
+    algebraic_set(&root->time, time);
+    g->root = root;
+    return GRAZE_OK;
+}
+
+void germ_drop_root(germ *g) {
+    germ_root *root = g->root;
+    if (!root)
+        return;
+    for (size_t j = 0; j < root->count; j++)
+        fmpz_poly_clear(root->way + j);
+    algebraic_clear(&root->time);
+    free(root);
+    g->root = NULL;
 }
 
 /* Find the rational factor that makes `residue` of `base`; returns 0 if there is none. */

@@ -83,6 +83,8 @@ static graze_status find_between(sector_list *out, graze_context *context,
     return GRAZE_OK;
 }
 
+enum { TURN_RAYS = 128 };
+
 /* Add rays all around: with the angles 2 atan(4 k / TURN_RAYS) in the first quadrant, and these
  * turned by one to three right angles. */
 static void add_turn_rays(fmpz *ray) {

@@ -21,26 +21,17 @@ static int are_proportional(const fmpz_poly_t p, const fmpz_poly_t q) {
     return fmpz_poly_equal(a, b);
 }
 
-/* Give an entry of a plane's normal, pulled back to directions about P, as a function of time. */
-static void pull_back_column(fmpz_poly_t out, const point_map *map, const fmpz *normal,
-                             int column) {
-    int d = map->dimension;
-    fmpz_poly_zero(out);
-    for (int row = 0; row < d; row++)
-        fmpz_poly_scalar_addmul_fmpz(out, &map->entry[row * (d + 1) + column], normal + row);
-}
-
 /* Is a pulled back normal a constant vector times a function of time? `factor` is set to that
  * function, up to a number. */
 static int keeps_direction(fmpz_poly_t factor, const point_map *map, const fmpz *normal) {
     int same = 1;
-    LOCAL(fmpz_poly, p);
+    LOCAL_VEC(fmpz_poly, p, 3);
+    signs_pull_back_normal(p, map, normal);
     fmpz_poly_zero(factor);
     for (int column = 0; column < map->dimension && same; column++) {
-        pull_back_column(p, map, normal, column);
-        same = are_proportional(p, factor);
+        same = are_proportional(p + column, factor);
         if (fmpz_poly_is_zero(factor))
-            fmpz_poly_set(factor, p);
+            fmpz_poly_set(factor, p + column);
     }
     return same;
 }
@@ -113,23 +104,14 @@ static void find_later(germ_side *side, fmpq_poly_struct *way, slong length, int
  * throughout the piece. */
 int edge_keeps_direction(const germ *g, const point_map *map) {
     LOCAL_VEC(fmpz, world, 9);
-    fmpz *normal = world + 3;
     int keeps = 1;
-    LOCAL(fmpz_poly, sum);
     LOCAL(fmpz_poly, p);
     for (size_t j = 0; j < 2; j++)
-        for (int column = 0; column < 3; column++)
-            for (int row = 0; row < 3; row++)
-                fmpz_addmul(normal + 3 * j + column, g->to_body + 3 * row + column,
-                            g->cone.normal + 3 * j + row);
-    directions_cross(world, normal, normal + 3);
+        germ_normal_about(world + 3 * (j + 1), g, g->cone.normal + 3 * j);
+    directions_cross(world, world + 3, world + 6);
     for (size_t j = 0; j < g->cone.count && keeps; j++) {
-        fmpz_poly_zero(sum);
-        for (int column = 0; column < 3; column++) {
-            pull_back_column(p, map, g->cone.normal + 3 * j, column);
-            fmpz_poly_scalar_addmul_fmpz(sum, p, world + column);
-        }
-        keeps = fmpz_poly_is_zero(sum);
+        signs_pull_back(p, map, g->cone.normal + 3 * j, world);
+        keeps = fmpz_poly_is_zero(p);
     }
     return keeps;
 }

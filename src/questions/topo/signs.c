@@ -15,6 +15,16 @@
 #include "input/motion/motion.h"
 #include "questions/topo/cover.h"
 
+void signs_pull_back_normal(fmpz_poly_struct *out, const point_map *map, const fmpz *normal) {
+    int d = map->dimension;
+    for (int column = 0; column < d; column++) {
+        fmpz_poly_zero(out + column);
+        for (int row = 0; row < d; row++)
+            fmpz_poly_scalar_addmul_fmpz(out + column, &map->entry[row * (d + 1) + column],
+                                         normal + row);
+    }
+}
+
 void signs_pull_back(fmpz_poly_t out, const point_map *map, const fmpz *normal,
                      const fmpz *direction) {
     int d = map->dimension;

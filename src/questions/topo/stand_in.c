@@ -1,9 +1,7 @@
 /* Points near a place are projected to the planes of facets that contain the place, until all signs
  * are right. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
-#include <flint/fmpz_mat.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
@@ -32,23 +30,8 @@ static graze_status time_near(fmpq_t out, graze_context *context, algebraic *tim
 /* State of the search for a point. */
 typedef struct place_finder {
     const germ_place *place;
-    signed char *sign;    /* signs of the place's distances from all planes of facets */
-    const fmpz *basis[3]; /* forms of independent planes that contain the place */
-    int rank;
+    signed char *sign; /* signs of the place's distances from all planes of facets */
 } place_finder;
-
-/* Keep a plane, which contains the place, if its normal is independent of the normals kept. */
-static void keep_independent(place_finder *f, const fmpz *form) {
-    int d = f->place->map->dimension;
-    if (f->rank == d)
-        return;
-    f->basis[f->rank] = form;
-    LOCAL(fmpz_mat, normals, f->rank + 1, d);
-    for (int k = 0; k <= f->rank; k++)
-        for (int i = 0; i < d; i++)
-            fmpz_set(fmpz_mat_entry(normals, k, i), f->basis[k] + i);
-    f->rank = (int)fmpz_mat_rank(normals);
-}
 
 static graze_status find_signs(place_finder *f, algebraic *time) {
     const plane_list *planes = f->place->planes;
@@ -59,39 +42,23 @@ static graze_status find_signs(place_finder *f, algebraic *time) {
         trajectory_pullback(distance, f->place->path, form);
         TRY(algebraic_sign_at(&sign, f->place->context, distance, time));
         f->sign[p] = (signed char)sign;
-        if (sign == 0)
-            keep_independent(f, form);
         TRY(context_poll(f->place->context));
     }
     return GRAZE_OK;
 }
 
-/* Project a point, d + 1 homogeneous integers, orthogonally to the intersection of the basis's
- * planes. */
+/* Project a point, d + 1 homogeneous integers, orthogonally to the planes that contain the place.
+ */
 static void project(fmpz *x, const place_finder *f) {
-    int d = f->place->map->dimension;
-    LOCAL_VEC(fmpq, moved, d);
-    LOCAL(fmpz, value);
-    LOCAL(fmpq_mat, gram, f->rank, f->rank);
-    LOCAL(fmpq_mat, rest, f->rank, 1);
-    for (int i = 0; i < f->rank; i++) {
-        for (int j = 0; j < f->rank; j++) {
-            _fmpz_vec_dot(value, f->basis[i], f->basis[j], d);
-            fmpq_set_fmpz(fmpq_mat_entry(gram, i, j), value);
-        }
-        _fmpz_vec_dot(value, f->basis[i], x, d + 1);
-        fmpz_neg(value, value);
-        fmpq_set_fmpz_frac(fmpq_mat_entry(rest, i, 0), value, x + d);
-    }
-    (void)fmpq_mat_solve(rest, gram, rest); /* independent normals: solvable */
-    for (int i = 0; i < d; i++) {
+    const plane_list *planes = f->place->planes;
+    int d = planes->dimension;
+    LOCAL_VEC(fmpq, moved, (d + 1) * (d + 1));
+    plane_stack to = {d, 0, moved + d + 1};
+    for (int i = 0; i <= d; i++)
         fmpq_set_fmpz_frac(moved + i, x + i, x + d);
-        for (int k = 0; k < f->rank; k++) {
-            LOCAL(fmpq, way);
-            fmpq_mul_fmpz(way, fmpq_mat_entry(rest, k, 0), f->basis[k] + i);
-            fmpq_add(moved + i, moved + i, way);
-        }
-    }
+    for (size_t p = 0; p < planes->count; p++)
+        if (f->sign[p] == 0)
+            plane_stack_add(&to, moved, planes->form + p * (size_t)(d + 1));
     _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, moved, d);
 }
 

@@ -271,6 +271,19 @@ void sectors_clear(sector_list *list);
  * was. */
 graze_status sectors_find(sector_list *out, graze_context *context, const sector_question *asked);
 
+/* Orthogonal projections. */
+
+/** The planes in which a point lies by now: `rank` forms of d + 1 rationals, their normals
+ * orthogonal; `form` has room for d. */
+typedef struct plane_stack {
+    int dimension, rank;
+    fmpq *form;
+} plane_stack;
+
+/** Project x, d coordinates and a 1, orthogonally to one more plane, within the planes before; or a
+ * direction, which ends in a 0. A plane whose normal depends on theirs changes nothing. */
+void plane_stack_add(plane_stack *p, fmpq *x, const fmpz *form);
+
 /* Directions, as vectors of integers. */
 
 /** out = a x b in E^3; `out` is neither. */

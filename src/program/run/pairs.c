@@ -1,0 +1,258 @@
+/* Answers the pairs of a list (src/program/cli/formats.md, Lists of pairs).
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Solids and motions stay on a shelf while the program runs, so that each is read once: by the
+ * thread that needs it first, while others that need it wait. A fault of a file stays there too.
+ */
+#define _GNU_SOURCE /* tdestroy */
+#include "program/run/run.h"
+
+#include <pthread.h>
+#include <search.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/scope.h"
+#include "base/number/json.h"
+#include "input/delimited/delimited.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
+
+typedef struct shelved {
+    char *path;
+    int is_motion, is_read;
+    graze_solid *solid;
+    graze_motion *motion;
+    fault fault;
+} shelved;
+
+static struct {
+    pthread_mutex_t lock;
+    pthread_cond_t read;
+    void *files; /* a tree of tsearch */
+} shelf = {PTHREAD_MUTEX_INITIALIZER, PTHREAD_COND_INITIALIZER, NULL};
+
+static int compare_shelved(const void *a, const void *b) {
+    const shelved *x = a, *y = b;
+    return x->is_motion != y->is_motion ? x->is_motion - y->is_motion : strcmp(x->path, y->path);
+}
+
+static void free_shelved(void *held) {
+    shelved *file = held;
+    free(file->path);
+    graze_solid_destroy(file->solid);
+    graze_motion_destroy(file->motion);
+    fault_clear(&file->fault);
+    free(file);
+}
+
+void pairs_end(void) {
+    tdestroy(shelf.files, free_shelved);
+    shelf.files = NULL;
+}
+
+/* Find a file on the shelf; where there is none, `mine` is put there to be read. NULL: memory is
+ * short. */
+static shelved *find_shelved(shelved *mine) {
+    pthread_mutex_lock(&shelf.lock);
+    shelved **place = tsearch(mine, &shelf.files, compare_shelved);
+    while (place && *place != mine && !(*place)->is_read)
+        pthread_cond_wait(&shelf.read, &shelf.lock);
+    pthread_mutex_unlock(&shelf.lock);
+    return place ? *place : NULL;
+}
+
+/* Set *out to the solid or the motion of a file. */
+static int read_shelved(const shelved **out, fault *f, graze_context *context, const char *path,
+                        int is_motion, unsigned flags) {
+    shelved *mine = calloc(1, sizeof *mine), *file = NULL;
+    if (mine) {
+        mine->is_motion = is_motion;
+        mine->path = strdup(path);
+        file = mine->path ? find_shelved(mine) : NULL;
+    }
+    if (file && file == mine) {
+        graze_status status = is_motion ? graze_motion_read(&mine->motion, context, path)
+                                        : graze_solid_read(&mine->solid, context, path, flags);
+        fault_of(&mine->fault, status, context, EXIT_INPUT);
+        pthread_mutex_lock(&shelf.lock);
+        mine->is_read = 1;
+        pthread_cond_broadcast(&shelf.read);
+        pthread_mutex_unlock(&shelf.lock);
+    } else if (mine) {
+        free_shelved(mine);
+    }
+    *out = file;
+    if (!file)
+        return fault_set(f, EXIT_IO, "out of memory");
+    return file->fault.status && file->fault.message
+               ? fault_set(f, file->fault.status, "%s", file->fault.message)
+               : (f->status = file->fault.status);
+}
+
+int pair_decide(graze_pair **out, fault *f, graze_context *context, const pair_question *q) {
+    const shelved *file[PAIR_FILES] = {NULL};
+    LOCAL(mpq, clearance);
+    graze_pair_options options = q->options;
+    options.size = sizeof options;
+    options.clearance = clearance;
+    if (q->clearance.length)
+        TRY(fault_of(
+            f, graze_number_parse(clearance, context, q->clearance.start, q->clearance.length),
+            context, EXIT_INPUT));
+    if (mpq_sgn(clearance) < 0)
+        return fault_set(f, EXIT_INPUT, "clearance %.*s: expected a number from 0 up",
+                         FIELD_SHOWN(q->clearance));
+    for (int k = 0; k < PAIR_FILES; k++)
+        if (q->path[k])
+            TRY(read_shelved(&file[k], f, context, q->path[k],
+                             k == PAIR_MOTION || k == PAIR_MOTION_OF_FIXED, q->solid_flags));
+    const shelved *frame = file[PAIR_MOTION_OF_FIXED];
+    graze_status status =
+        graze_pair_create(out, context, file[PAIR_MOVING]->solid, file[PAIR_MOTION]->motion,
+                          file[PAIR_FIXED]->solid, frame ? frame->motion : NULL, &options);
+    return fault_of(f, status, context, status == GRAZE_EINTERNAL ? EXIT_FAULT : EXIT_INPUT);
+}
+
+/* The content of a column of the row; empty where the list has no such column. */
+static field value_of(const answerer *a, int column) {
+    size_t where = a->task.source.columns->pairs.where[column];
+    return where == SIZE_MAX ? (field){"", 0} : field_content(a->reader.cut.item[where]);
+}
+
+/* Append the path of a file that the row names, relative to the list. */
+static void put_path(text *out, const answerer *a, int column) {
+    const char *list = a->task.pairs->points, *folder_end = strrchr(list, '/');
+    field name = value_of(a, column);
+    if (name.length && *name.start != '/' && folder_end)
+        text_bytes(out, list, (size_t)(folder_end + 1 - list));
+    text_bytes(out, name.start, name.length);
+}
+
+/* Answer the pair of the row that was read last. */
+static int answer_row(graze_pair **out, fault *f, const answerer *a) {
+    const struct pair_choice *all = &a->task.pairs->pairs;
+    static const char *const names[] = {"moving", "motion", "fixed"};
+    field inside = value_of(a, PAIR_INSIDE), clearance = value_of(a, PAIR_CLEARANCE);
+    pair_question q = {.options = all->options, .solid_flags = a->task.pairs->scene.solid_flags};
+    size_t at[PAIR_FILES];
+    HELD(text, paths);
+    for (int k = 0; k < PAIR_FILES; k++) {
+        if (k <= PAIR_FIXED && !value_of(a, k).length)
+            return fault_set(f, EXIT_INPUT, "%s: is empty; expected a file", names[k]);
+        at[k] = paths.length;
+        put_path(&paths, a, k);
+        text_bytes(&paths, "", 1);
+    }
+    if (paths.failed)
+        return fault_set(f, EXIT_IO, "out of memory");
+    for (int k = 0; k < PAIR_FILES; k++)
+        q.path[k] = paths.data[at[k]] ? paths.data + at[k] : all->motion_of_fixed;
+    q.clearance = clearance.length || !all->clearance
+                      ? clearance
+                      : (field){all->clearance, strlen(all->clearance)};
+    if (inside.length && !field_is(inside, "yes") && !field_is(inside, "no"))
+        return fault_set(f, EXIT_INPUT, "inside: %.*s: expected yes or no", FIELD_SHOWN(inside));
+    if (inside.length)
+        q.options.question = field_is(inside, "yes") ? GRAZE_PAIR_INSIDE : GRAZE_PAIR_MEETS;
+    return pair_decide(out, f, a->context, &q);
+}
+
+/* Append the members of an object behind its identifier. */
+static void put_members(text *out, const char *id, const char *answer, const fault *f) {
+    json_writer w = {.out = out};
+    json_open(&w, NULL, '{');
+    json_text(&w, "id", id);
+    if (answer) {
+        text_format(out, ",%s", answer + 1);
+        return;
+    }
+    json_count(&w, "status", (unsigned long)f->status);
+    json_text(&w, "message", f->message);
+    json_close(&w, '}');
+    text_put(out, "\n");
+}
+
+/* Append a row of the table; `status` is the exit status of graze collide. */
+static void put_fields(text *out, const answerer *a, const char *answer, const fault *f,
+                       int status) {
+    if (a->task.source.columns->others)
+        text_format(out, ",%s", a->reader.rest.data);
+    int first = a->task.pairs->pairs.options.first;
+    text_format(out, ",%s,%d,", answer ? answer : first ? ",,,,," : ",,,,", status);
+    for (const char *at = f->message; at && *at; at++) {
+        text_put(out, at == f->message ? "\"" : "");
+        text_bytes(out, *at == '"' ? "\"\"" : at, *at == '"' ? 2 : 1);
+    }
+    text_put(out, f->message ? "\"\n" : "\n");
+}
+
+static void put_pair(text *out, const answerer *a, const graze_pair *pair, const fault *f,
+                     int status, unsigned long number) {
+    size_t where = a->task.source.columns->pairs.where[PAIR_ID];
+    int object = a->task.rows->format == GRAZE_FORMAT_JSONL;
+    FREED(char, answer, NULL);
+    HELD(text, id);
+    if (where == SIZE_MAX)
+        text_count(&id, number);
+    else if (object)
+        text_bytes(&id, value_of(a, PAIR_ID).start, value_of(a, PAIR_ID).length);
+    else
+        columns_put_field(&id, a->task.source.columns, a->reader.cut.item[where]);
+    if (pair)
+        out->failed |=
+            (object ? graze_pair_json : graze_pair_fields)(&answer, a->context, pair) != GRAZE_OK;
+    out->failed |= id.failed;
+    if (out->failed)
+        return;
+    if (object) {
+        put_members(out, id.length ? id.data : "", answer, f);
+    } else {
+        text_bytes(out, id.data, id.length);
+        put_fields(out, a, answer, f, status);
+    }
+}
+
+void answer_pair(answerer *a, row_run *r, const block *b, size_t first) {
+    ZEROED(fault, f);
+    HELD(text, row);
+    OWNED(graze_pair, pair);
+    a->reader.rest.length = 0;
+    if (columns_row(NULL, &r->fault, a->task.source.columns, &a->reader, b, first))
+        return;
+    int status = answer_row(&pair, &f, a);
+    r->totals.undecided = status != EXIT_DONE;
+    r->totals.wide = !status && pair_meets(a->task.pairs, pair);
+    unsigned long number = shard_place(a->task.source.part, b->before + first) + 1;
+    put_pair(&row, a, pair, &f, status ? status : (int)r->totals.wide, number);
+    int memory = status == EXIT_IO && (!f.message || strstr(f.message, "out of memory"));
+    if (status == EXIT_SIGNAL || memory || row.failed) {
+        r->fault.status = status == EXIT_SIGNAL ? EXIT_SIGNAL : EXIT_IO;
+        return;
+    }
+    r->done = 1;
+    r->out[RESULT_TABLE].length = row.length;
+    r->out[RESULT_TABLE].text = text_take(&row);
+}
+
+int pair_meets(const classify_options *o, const graze_pair *pair) {
+    return graze_pair_get_verdict(pair) >=
+           (o->pairs.overlap_alone ? GRAZE_PAIR_OVERLAP : GRAZE_PAIR_TOUCH);
+}
+
+int pairs_head(char **head, const classify_options *o, const char *notes, const char *others) {
+    const struct pair_choice *all = &o->pairs;
+    int first = all->options.first;
+    HELD(text, t);
+    text_format(&t, "# graze " GRAZE_VERSION "\n# rows pairs\n# round %s\n%s%s%s",
+                graze_rounding_name(o->scene.context.rounding), first ? "# first yes\n" : "",
+                all->options.question ? "# inside yes\n" : "",
+                all->overlap_alone ? "# ask overlap\n" : "");
+    if (all->clearance)
+        text_format(&t, "# clearance %s\n", all->clearance);
+    if (all->motion_of_fixed)
+        text_format(&t, "# motion-of-fixed %s\n", all->motion_of_fixed);
+    text_format(&t, "%sid,%s%sverdict,word,first,first_near,%scells,status,message\n", notes,
+                others ? others : "", others ? "," : "", first ? "next," : "");
+    *head = text_take(&t);
+    return *head ? EXIT_DONE : complain(EXIT_IO, "out of memory");
+}
