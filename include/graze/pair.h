@@ -56,8 +56,8 @@ typedef struct graze_closest {
     const graze_time *time; /**< the distance is at most `high` then; where they meet, the first
                                time; NULL if it was not asked for. Borrowed from the pair */
     int placed;             /**< 1: `at` is set; 0 where they meet */
-    double at[2][3]; /**< decimals of a point of the moving and of the fixed solid, in the world,
-                        that are at most `high` apart at `time` */
+    double at[6]; /**< decimals of a point of the moving solid, at[0 ... 2], and of the fixed one,
+                     at[3 ... 5], in the world, that are at most `high` apart at `time` */
 } graze_closest;
 
 /** Two boundary cells, relatively open, that have a point in common, or points at the clearance; in

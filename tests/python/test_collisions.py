@@ -51,6 +51,23 @@ class Collisions(unittest.TestCase):
         with self.assertRaises(graze.UseError):
             graze.collide(common.SQUARE, motion, FAR, clearance=-1)
 
+    def test_closest(self):
+        """The squares are 2 - t apart: 1/2 at t = 3/2; at t = 2 they meet. Their sizes are 1 and 1."""
+        near = common.moved("t", "0", end="3/2")
+        found = graze.collide(common.SQUARE, near, FAR, closest=1e-6).closest
+        self.assertTrue(found.low <= 0.5 <= found.high <= found.low + 1e-6)
+        self.assertEqual((found.time, found.at, found.wide), (Fraction(3, 2), ((2.5, found.at[0][1]), (3.0, found.at[0][1])), False))
+        self.assertEqual(graze.collide(common.SQUARE, near, FAR, closest="1/1024r").closest,
+                         graze.collide(common.SQUARE, near, FAR, closest="1/512").closest)
+        met = graze.collide(common.SQUARE, common.moved("t", "0", end="5"), FAR, closest=1).closest
+        self.assertEqual(met, graze.Closest(0.0, 0.0, Fraction(2), None, False))
+        self.assertIsNone(graze.collide(common.SQUARE, near, FAR).closest)
+        for wrong in (0, -1, "x"):
+            with self.assertRaises(graze.UseError):
+                graze.collide(common.SQUARE, near, FAR, closest=wrong)
+        with self.assertRaises(graze.UseError):
+            graze.collide(common.SQUARE, near, FAR, closest=1, first=True)
+
     def test_never(self):
         found = graze.collide(common.SQUARE, common.moved("t", "2"), FAR)
         self.assertEqual((found.verdict, found.word, found.contacts, found.overlap, bool(found)), ("clear", "O", (), None, False))

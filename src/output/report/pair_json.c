@@ -73,14 +73,14 @@ static void put_closest(json_writer *w, const graze_pair *pair) {
     json_bound(w, "high", c->high, 1);
     json_time(w, "t", c->time);
     put_near_decimal(w, c->time);
-    if (!c->placed)
+    if (c->placed)
+        json_open(w, "at", '[');
+    else
         json_text(w, "at", NULL);
     for (int side = 0; side < 2 && c->placed; side++) {
-        json_open(w, side ? NULL : "at", '[');
-        if (!side)
-            json_open(w, NULL, '[');
+        json_open(w, NULL, '[');
         for (int i = 0; i < pair->pair.motion->dimension; i++)
-            json_double(w, NULL, c->at[side][i]);
+            json_double(w, NULL, c->at[3 * side + i]);
         json_ends(w, side ? "]]" : "]");
     }
     json_bool(w, "wide", c->wide);

@@ -120,27 +120,17 @@ static void tell_verdict(text *t, const graze_pair *pair) {
     text_put(t, "\n");
 }
 
-/* Append a bound, a number by report_bound. */
-static void tell_bound(text *t, double bound, int up) {
-    char decimal[BOUND_ROOM];
-    report_bound(decimal, bound, up);
-    text_put(t, decimal);
-}
-
 /* Append the least distance, its time and its places. */
 static void tell_closest(text *t, const graze_pair *pair) {
     const graze_closest *c = &pair->closest;
-    text_put(t, "closest ");
-    tell_bound(t, c->low, 0);
-    if (c->high > 0) {
-        text_put(t, " to ");
-        tell_bound(t, c->high, 1);
-    }
-    text_put(t, " at ");
+    char low[BOUND_ROOM], high[BOUND_ROOM];
+    report_bound(low, c->low, 0);
+    report_bound(high, c->high, 1);
+    text_format(t, "closest %s%s%s at ", low, c->placed ? " to " : "", c->placed ? high : "");
     tell_pair_time(t, c->time);
     for (int side = 0; side < 2 && c->placed; side++) {
         for (int i = 0; i < pair->pair.motion->dimension; i++)
-            text_format(t, "%s%.17g", i ? ", " : side ? " and (" : ": (", c->at[side][i]);
+            text_format(t, "%s%.17g", i ? ", " : side ? " and (" : ": (", c->at[3 * side + i]);
         text_put(t, side ? ") of FIXED" : ") of MOVING");
     }
     text_put(t, c->wide ? ", wide\n" : "\n");

@@ -105,7 +105,7 @@ def _contact(made: ctypes.Structure) -> PairContact:
 def _closest(made: ctypes.Structure, dimension: int) -> Optional[Closest]:
     if not made.time:
         return None
-    at = (tuple(made.at[0][:dimension]), tuple(made.at[1][:dimension])) if made.placed else None
+    at = (tuple(made.at[:dimension]), tuple(made.at[3:3 + dimension])) if made.placed else None
     return Closest(made.low, made.high, time_of(made.time), at, bool(made.wide))
 
 

@@ -131,28 +131,27 @@ static void set_near_places(graze_closest *c, placing *p, const approach *a,
                             const feature_pair *found, const graze_motion *frame) {
     int d = p->pair->motion->dimension;
     double share[2] = {0, 0}, distance = 0;
+    LOCAL(fmpq, part);
     LOCAL_VEC(fmpq, point, 6);
     HELD(stationary, s, p, found);
     stationary_points(point, p, &s);
     for (int i = 0; i < d; i++) {
-        LOCAL(fmpq, off);
-        fmpq_sub(off, point + i, point + 3 + i);
-        distance = hypot(distance, fmpq_get_d(off));
+        fmpq_sub(part, point + i, point + 3 + i);
+        distance = hypot(distance, fmpq_get_d(part));
     }
     for (int side = 0; side < 2; side++) {
         const csg_round *round = p->pair->round[side];
         const length_ratio *ratio = &p->near->ratio[1 + side];
-        LOCAL(fmpq, square);
-        fmpq_set_fmpz_frac(square, ratio->square[0].coeffs, ratio->square[1].coeffs);
+        fmpq_set_fmpz_frac(part, ratio->square[0].coeffs, ratio->square[1].coeffs);
         if (round)
             share[side] = fmpq_get_d(round[found->of[side].simplex].radius) *
-                          sqrt(fmpq_get_d(square)) / distance;
+                          sqrt(fmpq_get_d(part)) / distance;
         carry_to_world(point + (ptrdiff_t)3 * side, p->pair->motion, a, frame);
     }
     for (int i = 0; i < d; i++) {
         double x[2] = {fmpq_get_d(point + i), fmpq_get_d(point + 3 + i)};
         for (int side = 0; side < 2; side++)
-            c->at[side][i] = x[side] + share[side] * (x[!side] - x[side]);
+            c->at[3 * side + i] = x[side] + share[side] * (x[!side] - x[side]);
     }
     c->placed = 1;
 }
