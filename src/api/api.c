@@ -13,16 +13,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <yajl/yajl_version.h>
-#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/rounding.h"
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 
 graze_status api_misuse(graze_context *context, const char *function, const char *reason) {
     return context ? context_fail(context, GRAZE_EUSE, "%s: %s", function, reason) : GRAZE_EUSE;

@@ -6,10 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/scope.h"
 #include "base/context/team.h"
-#include "decide/scene/scene.h"
-#include "input/solid/solid.h"
 #include "questions/boundary/boundary.h"
 
 /* Take the caller's box over as rationals; without a box nothing is set. */

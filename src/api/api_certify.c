@@ -4,8 +4,6 @@
 #include "api/api.h"
 
 #include <stdlib.h>
-#include "base/context/scope.h"
-#include "decide/scene/scene.h"
 #include "questions/certify/certify.h"
 
 struct graze_certifier {

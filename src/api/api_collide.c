@@ -4,11 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/scope.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
 #include "output/report/report.h"
 #include "questions/collide/collide.h"
 

@@ -5,8 +5,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/scope.h"
-#include "decide/filter/filter.h"
 #include "output/compare/compare.h"
 
 static int compare_options_known(const graze_compare_options *o) {

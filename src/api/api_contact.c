@@ -6,9 +6,6 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "output/report/report.h"
 #include "questions/contact/contact.h"
 

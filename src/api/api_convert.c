@@ -5,10 +5,8 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "input/convert/convert.h"
-#include "input/motion/motion.h"
 
 static void conversion_init(conversion *c) {
     text_init(&c->motion);

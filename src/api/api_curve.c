@@ -5,8 +5,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/scope.h"
-#include "decide/bounds/bounds.h"
 #include "output/report/report.h"
 #include "questions/contact/contact.h"
 #include "questions/envelope/envelope.h"

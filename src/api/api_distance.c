@@ -4,10 +4,7 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
-#include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
 #include "graze/distance.h"
 #include "questions/distance/distance.h"

@@ -6,10 +6,6 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
-#include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
-#include "input/solid/solid.h"
 #include "output/draw/draw.h"
 #include "output/page/page.h"
 #include "questions/topo/topo.h"

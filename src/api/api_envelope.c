@@ -5,9 +5,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "output/report/report.h"
 #include "questions/envelope/envelope.h"
 

@@ -2,9 +2,6 @@
  */
 #include "api/api.h"
 
-#include "base/context/scope.h"
-#include "decide/lattice/lattice.h"
-#include "decide/scene/scene.h"
 #include "input/delimited/delimited.h"
 #include "output/report/report.h"
 #include "output/table/table.h"

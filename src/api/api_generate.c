@@ -4,9 +4,6 @@
 #include "api/api.h"
 
 #include <stdlib.h>
-#include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "input/solid/solid.h"
 #include "questions/generate/generate.h"
 
 const char *graze_stratum_name(graze_stratum stratum) {

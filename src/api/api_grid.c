@@ -6,13 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/scope.h"
-#include "decide/filter/filter.h"
-#include "decide/lattice/lattice.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "input/solid/solid.h"
 #include "output/table/table.h"
 
 /* Check that the sizes are at least 2 and give no more points than the limit allows. */

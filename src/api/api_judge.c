@@ -4,12 +4,9 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
-#include "base/context/scope.h"
 #include "base/context/team.h"
 #include "base/number/rounding.h"
-#include "decide/scene/scene.h"
 #include "input/read/read.h"
-#include "input/soup/soup.h"
 #include "output/compare/compare.h"
 #include "questions/generate/generate.h"
 #include "questions/judge/judge.h"

@@ -6,11 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/scene/scene.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "output/draw/draw.h"
 #include "output/page/page.h"
 #include "questions/judge/judge.h"

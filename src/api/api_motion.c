@@ -3,9 +3,6 @@
  */
 #include "api/api.h"
 
-#include "base/context/scope.h"
-#include "input/motion/motion.h"
-
 graze_status graze_motion_read(graze_motion **out, graze_context *context, const char *path) {
     PUBLIC_OUT(out, context, path);
     return motion_from_file(out, context, path);

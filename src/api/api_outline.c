@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include "base/context/scope.h"
 #include "graze/outline.h"
 #include "output/report/report.h"
 #include "questions/outline/outline.h"

@@ -4,8 +4,6 @@
 #include "api/api.h"
 
 #include <stdlib.h>
-#include "base/context/scope.h"
-#include "decide/scene/scene.h"
 #include "graze/solid.h"
 
 graze_status graze_scene_at_rest(graze_scene **out, graze_context *context,

@@ -5,10 +5,6 @@
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
-#include "base/context/scope.h"
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
 #include "output/report/report.h"
 #include "questions/certify/certify.h"

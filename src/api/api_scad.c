@@ -7,9 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/file.h"
-#include "base/context/scope.h"
 #include "input/scad/scad.h"
-#include "input/solid/solid.h"
 
 /* The hash of an OpenSCAD file, the `.csg.json` text made of it, and the report. */
 typedef struct scad_work {

@@ -5,9 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
-#include "base/context/scope.h"
 #include "input/convert/convert.h"
-#include "input/solid/solid.h"
 
 /* Take a number over and check that its sign is at least `least`; NULL gives 0. */
 static graze_status take_number(fmpq_t out, graze_context *context, mpq_srcptr value, int least,

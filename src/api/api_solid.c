@@ -7,14 +7,9 @@
 #include <stdint.h>
 #include <string.h>
 #include "base/context/file.h"
-#include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/csg/csg.h"
 #include "input/mend/mend.h"
 #include "input/read/read.h"
-#include "input/solid/solid.h"
-#include "input/soup/soup.h"
-#include "input/validate/validate.h"
 
 /* Read a solid; `sha256` is the hash of a file validated before, or NULL. */
 static graze_status read_solid(graze_solid **out, graze_context *context, const char *path,

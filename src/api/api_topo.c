@@ -5,9 +5,6 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
-#include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "questions/topo/topo.h"
 
 struct graze_topology {

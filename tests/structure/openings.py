@@ -12,7 +12,7 @@ import sources
 OPENING = re.compile(r"(?:Of|The same|(?:What|Which)\b(?![^.:;?]*\?))\b")
 PHRASE = re.compile(r"\b(?:of which|so many|as many as|so often|as often as|as far as)\b")
 # The most that each place may have. These numbers only fall.
-ALLOWED = {"src": 11, "include": 0, "tests": 6, "proofs": 0, "README.md": 0, "Makefile": 0, ".ci": 0}
+ALLOWED = {"src": 9, "include": 0, "tests": 6, "proofs": 0, "README.md": 0, "Makefile": 0, ".ci": 0}
 HASHED = (".py", ".sh", "Makefile", ".ci/run")
 TYPES = (".c", ".h", ".cpp", ".hpp", ".js", ".md", *HASHED)
 LITERAL = r'"(?:\\.|[^"\\\n])*"'

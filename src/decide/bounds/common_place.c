@@ -7,7 +7,6 @@
 #include <math.h>
 #include <string.h>
 #include "base/number/vector.h"
-#include "input/validate/validate.h"
 
 static const double *double_corner(const graze_solid *solid, uint32_t simplex, int k) {
     size_t d = (size_t)solid->input.dimension;

@@ -6,10 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/bounds/bounds.h"
 #include "decide/curved/walker.h"
-#include "decide/surfaces/surfaces.h"
-#include "input/validate/validate.h"
 
 typedef struct finding_walk {
     tracer *r;

@@ -5,9 +5,7 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "decide/bounds/bounds.h"
 #include "decide/curved/walker.h"
-#include "input/validate/validate.h"
 
 enum { SIDE = CSG_DEGREE + 1, MONOMIALS = SIDE * SIDE * SIDE * SIDE };
 

@@ -13,9 +13,7 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "decide/bounds/bounds.h"
 #include "decide/curved/walker.h"
-#include "input/validate/validate.h"
 
 /* Work of a resultant, as measured: PAIR_WORK times the sizes of both members, where a size is
  * (degree^2 + LEAST_SIZE) times the bits over SIZE_BITS. */

@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "decide/bounds/bounds.h"
 #include "decide/curved/walker.h"
 
 /* Does a primitive have one of the surfaces on which the expression depends? */

@@ -5,8 +5,6 @@
 
 #include <flint/fmpq_poly.h>
 #include "decide/curved/curved.h"
-#include "decide/filter/filter.h"
-#include "input/motion/motion.h"
 
 /* The field of numbers that decide a moment of a trajectory: polynomials in the local time u,
  * modulo the minimal polynomial of an exact time, or as functions on a gap between two times. */

@@ -5,7 +5,6 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "decide/curved/walker.h"
-#include "input/soup/soup.h"
 
 static graze_state last_of(const word_builder *l) {
     return l->length ? (graze_state)l->out->word[l->length - 1] : GRAZE_STATE_ABSENT;

@@ -2,12 +2,9 @@
  * slab's form is linear in the place; over a part of the time it is among its control values.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/filter.h"
+#include "decide/filter/search.h"
 
 #include <string.h>
-#include "decide/bounds/bounds.h"
-#include "decide/filter/search.h"
-#include "input/solid/solid.h"
 
 /* Bound of the growth of a slab, in half sides, by a part that can be cut. */
 static const double HARDLY = 0x1p-9;

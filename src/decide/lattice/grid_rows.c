@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "graze/core.h"
 
 /* Longer axes have no table of texts. */
 enum { AXIS_TEXTS_MOST = 1 << 16 };

@@ -16,8 +16,6 @@
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/bernstein.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
 
 enum { CORNERS = 8, POLYNOMIALS = 3 * CORNERS + 1, SIGNIFICANT_BITS = 12 };
 /* Levels of halves that are always allowed; the most levels, which the stack holds; operations on

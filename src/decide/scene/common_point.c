@@ -12,7 +12,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "input/csg/csg.h"
 
 /* Terms of surfaces that are evaluated, at most, but for the first few points; points of the
  * lattice along each coordinate. */

@@ -3,8 +3,6 @@
  */
 #include "decide/scene/scene.h"
 
-#include "input/motion/motion.h"
-
 enum { WORK_A_UNIT = 256 };
 
 double demand_of_roots(const fmpz_poly_t p) {

@@ -8,12 +8,6 @@
 #include <flint/fmpz_vec.h>
 #include <sha256.h>
 #include "base/context/scope.h"
-#include "base/number/text.h"
-#include "input/csg/csg.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/soup/soup.h"
-#include "input/validate/validate.h"
 
 typedef struct hasher {
     SHA2_CTX sha;

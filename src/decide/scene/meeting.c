@@ -7,9 +7,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/number/rounding.h"
-#include "input/solid/solid.h"
-#include "input/soup/soup.h"
-#include "input/validate/validate.h"
 
 /* Sizes of batches: the first one is small, since a meeting is often found at once. */
 enum { FEWEST = 16, MOST = 65536 };

@@ -17,11 +17,6 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "decide/filter/filter.h"
-#include "decide/surfaces/surfaces.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 
 /* d x (d + 1) affine maps as square homogeneous matrices, so that FLINT multiplies and inverts. */
 static void homogeneous_matrix(fmpq_mat_t out, const point_map *map, const fmpq_t u) {

@@ -9,7 +9,6 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/validate/validate.h"
 
 /* The piece [start, start + 2^(WINDOW_LEVELS - level)] of the curve, in units of 2^-WINDOW_LEVELS.
  */

@@ -8,7 +8,6 @@
 
 #include <math.h>
 #include "base/context/scope.h"
-#include "input/validate/validate.h"
 
 /* Append the contacts that the candidates of a piece make. The candidates come in any order, and
  * their windows hold all their touches. */

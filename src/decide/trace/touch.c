@@ -11,7 +11,6 @@
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/rounding.h"
-#include "input/validate/validate.h"
 
 typedef struct finder {
     touches *out;

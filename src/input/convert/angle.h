@@ -5,7 +5,6 @@
 
 #include <flint/fmpq.h>
 #include <mpfr.h>
-#include "base/number/text.h"
 #include "input/convert/convert.h"
 
 /* Half angles as exact pairs (w, c), and proved bounds on their distance from the angles wanted.

@@ -9,12 +9,10 @@
  * break point round the same value, so the motion stays continuous; beside a piece that is kept the
  * value is kept too.
  */
-#include "input/convert/convert.h"
+#include "input/convert/angle.h"
 
 #include <flint/fmpq_poly.h>
 #include "base/context/scope.h"
-#include "input/convert/angle.h"
-#include "input/motion/motion.h"
 
 typedef struct rounding_task {
     const graze_motion *motion;

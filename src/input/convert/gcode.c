@@ -12,8 +12,6 @@
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "input/convert/angle.h"
-#include "input/convert/convert.h"
-#include "input/motion/motion.h"
 
 /* Groups of G words that exclude one another, but for those that change no path. */
 enum { IDLE, MOTIONS, PLANES, UNITS, WAYS, GROUPS };

@@ -1,11 +1,10 @@
 /* Measures joints and bounds how far from their axes points can come.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/convert/convert.h"
+#include "input/convert/angle.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-#include "input/convert/angle.h"
 
 enum { JOINT_NUMBERS = 10 };
 

@@ -4,14 +4,13 @@
  * The motion passes through each pose at its time. Only matrices that become rotations are changed,
  * by an amount that is computed exactly and reported.
  */
-#include "input/convert/convert.h"
+#include "input/convert/angle.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/convert/angle.h"
 #include "input/convert/poses_list.h"
 
 static graze_status refuse_pose(graze_context *context, const pose_list *list, const pose *p,

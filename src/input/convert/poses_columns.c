@@ -1,14 +1,12 @@
 /* Finds the columns of a list of poses by their names, or by their number.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/convert/convert.h"
+#include "input/convert/poses_list.h"
 
 #include <ctype.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/context/spelling.h"
-#include "input/convert/poses_list.h"
-#include "input/delimited/delimited.h"
 
 /* The first line of a file, and its place for messages. */
 typedef struct naming {

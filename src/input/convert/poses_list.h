@@ -5,7 +5,6 @@
 
 #include <flint/fmpq.h>
 #include <mpfr.h>
-#include "base/number/text.h"
 #include "input/convert/convert.h"
 #include "input/delimited/delimited.h"
 

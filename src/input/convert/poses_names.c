@@ -1,14 +1,12 @@
 /* Names of columns, whole and in parts.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/convert/convert.h"
+#include "input/convert/poses_list.h"
 
 #include <ctype.h>
 #include <string.h>
 #include <strings.h>
 #include "base/context/spelling.h"
-#include "input/convert/poses_list.h"
-#include "input/delimited/delimited.h"
 
 /* Names that stand alone. */
 static const struct {

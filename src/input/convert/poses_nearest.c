@@ -1,12 +1,11 @@
 /* The rotation nearest to a matrix, and how near it is.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/convert/convert.h"
+#include "input/convert/poses_list.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
-#include "input/convert/poses_list.h"
 
 /* The symmetric matrix K with x K x = (trace of R(x)^T A) |x|^2 for every quaternion x. */
 static void horn(double k[4][4], const double a[9]) {

@@ -1,7 +1,7 @@
 /* Reads lists of poses.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/convert/convert.h"
+#include "input/convert/poses_list.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
@@ -10,8 +10,6 @@
 #include "base/context/file.h"
 #include "base/context/scope.h"
 #include "base/number/rational.h"
-#include "input/convert/poses_list.h"
-#include "input/delimited/delimited.h"
 
 enum { POSE_NUMBERS = 1 + 12 + 4 };
 

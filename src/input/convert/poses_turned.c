@@ -7,7 +7,7 @@
  * rotations differ by the angle d between u and a. sin d = |u x a| / L, and for d < 90 degrees
  * d <= (pi / 2) sin d, thus d^2 <= (5/2) |u x a|^2 / L^2, a rational number.
  */
-#include "input/convert/convert.h"
+#include "input/convert/angle.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
@@ -15,7 +15,6 @@
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "base/number/vector.h"
-#include "input/convert/angle.h"
 #include "input/convert/poses_list.h"
 
 enum { BITS_LEAST = 32 }; /* of angles */

@@ -1,12 +1,11 @@
 /* Bodies of a diameter, corner, taper and length.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/convert/convert.h"
+#include "input/convert/angle.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
-#include "input/convert/angle.h"
 
 enum { TAPER_BITS = 40, BODY_NUMBERS = 7 };
 

@@ -9,12 +9,11 @@
  * convex function, largest on R at a corner: R, and K with it, is within E of Q, and R, which is
  * within E of Q, within E of K.
  */
-#include "input/convert/convert.h"
+#include "input/convert/angle.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "input/convert/angle.h"
 
 /* The sign of (b - a) x (c - b), which is (b - a) x (c - a). */
 static int turn_sign(const fmpq *a, const fmpq *b, const fmpq *c) {

@@ -12,7 +12,6 @@
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-#include "base/number/json.h"
 
 void tool_csg_begin(text *out, const fmpq *at) {
     text_put(out, "{\"dimension\": 3, \"solid\":\n");

@@ -1,12 +1,11 @@
 /* Both polyhedra of a body of revolution: doubles choose, tool_pair_holds decides.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/convert/convert.h"
+#include "input/convert/angle.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
-#include "input/convert/angle.h"
 
 static const double pi_near = 3.14159265358979323846;
 

@@ -6,11 +6,10 @@
  * half is approximated by a convergent. Every position on the way is exactly one of the turn asked
  * for, only the last one overshoots or falls short.
  */
-#include "input/convert/convert.h"
+#include "input/convert/angle.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-#include "input/convert/angle.h"
 #include "input/convert/poses_list.h"
 
 /* Write the axis and the center, and close the two objects of a turn. */

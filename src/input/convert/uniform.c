@@ -7,13 +7,11 @@
  * is doubled until the bounds of all joints add up to the tolerance at most: the joints before and
  * after one keep distances, so errors of displacement add.
  */
-#include "input/convert/convert.h"
+#include "input/convert/angle.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-#include "input/convert/angle.h"
 #include "input/convert/poses_list.h"
-#include "input/motion/motion.h"
 
 enum { PIECE_WORK = 10000 }; /* units of context_work for the angles of a joint in a piece */
 

@@ -1,7 +1,7 @@
 /* Curved solids: their expression over signs.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/csg/csg.h"
+#include "input/csg/csg_reader.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -9,7 +9,6 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "input/csg/csg_reader.h"
 
 void csg_box_init(csg_box *box) {
     box->dimension = 0;

@@ -5,12 +5,11 @@
  * radius R with normal a reaches R sqrt(|g|^2 - (g . a)^2 / |a|^2) from its centre, and the
  * Minkowski sum of the disk with a ball of radius r reaches r |g| further.
  */
-#include "input/csg/csg.h"
+#include "input/csg/csg_reader.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "input/csg/csg_reader.h"
 
 /* Binary places of the bound of an irrational root. */
 enum { ROOT_BITS = 24 };

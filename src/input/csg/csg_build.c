@@ -4,7 +4,7 @@
  * f <= 0 is true on an open cell iff, of the constant factor and the factors of odd multiplicity of
  * f, an odd number is negative there (proofs/curved.md C94).
  */
-#include "input/csg/csg.h"
+#include "input/csg/csg_reader.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_mat.h>
@@ -15,7 +15,6 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/csg/csg_reader.h"
 
 enum { TERM_WORK = 4 };   /* work of a term, for each of its machine words */
 enum { LONG_WORDS = 64 }; /* of a coefficient for which a common divisor doubles the work */

@@ -5,12 +5,11 @@
  * (proofs/curved.md C102). A cylinder or a cone without an end has one where a half-space cuts it
  * off: form . y is least at the rim of the disk at height h, where it is a linear function of h.
  */
-#include "input/csg/csg.h"
+#include "input/csg/csg_reader.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "input/csg/csg_reader.h"
 
 /* Take the work with these numbers from what is left; returns 0 if that is less. */
 static int spend_cut(csg_reader *r, const fmpq *number, int count) {

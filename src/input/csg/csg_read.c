@@ -1,15 +1,13 @@
 /* Curved solids of JSON: nodes, Boolean operations, affine maps.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/csg/csg.h"
+#include "input/csg/csg_reader.h"
 
 #include <flint/fmpq_mat.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/file.h"
 #include "base/context/scope.h"
-#include "input/csg/csg_reader.h"
-#include "input/motion/motion.h"
 
 /* The keys of a node, in the order of key_names: those of primitives begin at FIRST_PRIMITIVE. */
 enum {

@@ -1,13 +1,11 @@
 /* Numbers and linear forms of the nodes of a curved solid.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/csg/csg.h"
+#include "input/csg/csg_reader.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
-#include "input/csg/csg_reader.h"
-#include "input/motion/motion.h"
 
 void csg_reader_init(csg_reader *r, graze_context *context, csg *out, int dimension) {
     *out = (csg){.dimension = dimension};

@@ -7,7 +7,6 @@
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_mpoly.h>
 #include <stdint.h>
-#include "base/context/context.h"
 #include "input/csg/csg.h"
 #include "input/motion/motion.h"
 

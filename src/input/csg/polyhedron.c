@@ -13,14 +13,12 @@
  * polyhedron, its sign does not change the parity, since each edge is one of an even number of
  * triangles.
  */
-#include "input/csg/csg.h"
+#include "input/csg/csg_reader.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "input/csg/csg_reader.h"
-#include "input/motion/motion.h"
 
 /* An edge from point `low` to point `high`, or, if `back`, from `high` to `low`. */
 typedef struct edge {

@@ -8,7 +8,7 @@
  * axis, and the strip of an edge is the part of a cone or a cylinder inside the edge, between the
  * planes through its ends.
  */
-#include "input/csg/csg.h"
+#include "input/csg/csg_reader.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
@@ -16,8 +16,6 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "input/csg/csg_reader.h"
-#include "input/motion/motion.h"
 
 /* Read powers from a key such as "2,0,1". */
 static graze_status read_powers(ulong *out, csg_reader *r, const json *term) {

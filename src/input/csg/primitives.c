@@ -5,13 +5,11 @@
  * |a| is the height of y and |y|^2 - h^2 the square of its distance from the axis. The inequalities
  * are multiplied by |a|^2, which makes their coefficients rational.
  */
-#include "input/csg/csg.h"
+#include "input/csg/csg_reader.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "input/csg/csg_reader.h"
-#include "input/motion/motion.h"
 
 /* Numbers of a primitive; 0 until they are set. */
 typedef struct placed {

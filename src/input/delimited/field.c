@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
-#include "base/context/context.h"
 
 static int is_blank(char byte) {
     return byte == ' ' || byte == '\t';

@@ -1,12 +1,9 @@
 /* Mends a mesh, step by step.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/mend/mend.h"
+#include "input/mend/mesh.h"
 
 #include "base/context/scope.h"
-#include "input/mend/mesh.h"
-#include "input/solid/solid.h"
-#include "input/soup/soup.h"
 
 /* Make a solid of the mesh as it is now. */
 static graze_status try_mesh(graze_solid **out, const mesh *m, unsigned flags) {

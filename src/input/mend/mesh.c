@@ -5,11 +5,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "input/mend/mesh.h"
-#include "input/soup/soup.h"
 
 enum { FEW = 8 };
 

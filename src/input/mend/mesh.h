@@ -4,9 +4,7 @@
 #define GRAZE_INPUT_MEND_MESH_H
 
 #include "base/context/array.h"
-#include "base/number/text.h"
 #include "input/mend/mend.h"
-#include "input/soup/soup.h"
 
 /* A mesh that is being mended: the facets of a soup, which change, and its vertices, which stay. */
 

@@ -11,8 +11,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "input/mend/mesh.h"
-#include "input/solid/solid.h"
-#include "input/soup/soup.h"
 
 /* The time grows with the square of the number of shells. */
 enum { SHELLS_MOST = 1000 };

@@ -7,7 +7,6 @@
  */
 #define _GNU_SOURCE /* qsort_r */
 #include <stdlib.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "input/mend/mesh.h"
 

@@ -6,7 +6,6 @@
 #include <flint/fmpq.h>
 #include <flint/fmpz_poly.h>
 #include <flint/fmpz_poly_q.h>
-#include "base/context/context.h"
 #include "input/motion/motion.h"
 
 /* Rational functions of one variable over Q, with the limits acting at every step.

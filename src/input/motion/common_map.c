@@ -1,10 +1,9 @@
 /* Affine maps over two common denominators, and the point maps of such a map and of its inverse.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/motion/motion.h"
+#include "input/motion/affine.h"
 
 #include "base/context/scope.h"
-#include "input/motion/affine.h"
 
 void common_map_init(common_map *m) {
     for (int k = 0; k < 9; k++)

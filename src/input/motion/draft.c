@@ -1,14 +1,12 @@
 /* Motions in the making: pieces with rational functions as entries, not yet point maps.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/motion/motion.h"
+#include "input/motion/draft.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/motion/affine.h"
-#include "input/motion/draft.h"
 
 void draft_init(draft *d, int dimension) {
     *d = (draft){.dimension = dimension};

@@ -4,7 +4,6 @@
 #define GRAZE_INPUT_MOTION_DRAFT_H
 
 #include "input/motion/affine.h"
-#include "input/motion/motion.h"
 
 /* Motions in the making: pieces with rational functions as entries, not yet point maps. */
 

@@ -1,15 +1,13 @@
 /* The entries of a motion file: JSON values to functions, numbers and integers.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/motion/motion.h"
+#include "input/motion/draft.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
-#include "input/motion/affine.h"
-#include "input/motion/draft.h"
 
 enum { TIME_SIZE = 60, STRETCH_ENDS = 4 };
 

@@ -7,7 +7,6 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
-#include "input/motion/affine.h"
 #include "input/motion/draft.h"
 
 enum { SHOWN = 60 };

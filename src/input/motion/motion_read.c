@@ -1,13 +1,11 @@
 /* Motions from parsed JSON: the choice of one of four forms, and motions made of other motions.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/motion/motion.h"
+#include "input/motion/draft.h"
 
 #include <string.h>
 #include "base/context/file.h"
 #include "base/context/scope.h"
-#include "input/motion/affine.h"
-#include "input/motion/draft.h"
 
 enum { DIMENSION, PIECES, KEYFRAMES, RELATIVE, SEQUENCE, KEYS };
 

@@ -1,7 +1,7 @@
 /* Motions from parsed JSON: pieces and keyframes, and the check that a piece is legal.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/motion/motion.h"
+#include "input/motion/draft.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -9,8 +9,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
-#include "input/motion/affine.h"
-#include "input/motion/draft.h"
 
 enum { NUMBER_SIZE = 60 };
 

@@ -1,10 +1,9 @@
 /* The rotation of a quaternion whose numbers are polynomials.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/motion/motion.h"
+#include "input/motion/affine.h"
 
 #include "base/context/scope.h"
-#include "input/motion/affine.h"
 
 /* Divide the four polynomials by their common factor, at whose roots all four vanish; refuse such a
  * root between lo and hi. */

@@ -1,14 +1,13 @@
 /* Rational functions of one variable over Q, with the limits acting at every step.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/motion/motion.h"
+#include "input/motion/affine.h"
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/modular.h"
-#include "input/motion/affine.h"
 
 enum { OPERATION_WORK = 8 };    /* work of an operation, beside that of its result's words */
 enum { LONG_WORDS = 64 };       /* of a coefficient for which a common divisor doubles the work */

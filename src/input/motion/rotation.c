@@ -5,12 +5,11 @@
  * the complex number (q + ip)^n = a + ib, so the quaternion of the rotation by this angle about the
  * axis v is (a |v|, b v).
  */
-#include "input/motion/motion.h"
+#include "input/motion/affine.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "input/motion/affine.h"
 
 static void norm_of(calculation *c, fmpz_poly_q_t out, fmpz_poly_q_t *v, int count) {
     LOCAL(fmpz_poly_q, square);

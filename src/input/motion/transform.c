@@ -1,12 +1,11 @@
 /* Transforms of a motion file: JSON to affine maps over a stretch of a piece.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/motion/motion.h"
+#include "input/motion/affine.h"
 
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/motion/affine.h"
 
 enum { MATRIX, TRANSLATE, ROTATE, TURN, QUATERNION, SCALE, COMPOSE, KINDS, CENTER = KINDS, KEYS };
 

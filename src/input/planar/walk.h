@@ -12,8 +12,6 @@
 #include <flint/fmpq.h>
 #include <flint/fmpz.h>
 #include "base/context/array.h"
-#include "base/context/context.h"
-#include "input/csg/csg.h"
 #include "input/planar/planar.h"
 
 /** A line: its direction d, then its moment x cross d, where x is a point of it; six integers that

@@ -14,7 +14,6 @@
 #include "base/number/rounding.h"
 #include "base/number/vector.h"
 #include "input/read/nef3_text.h"
-#include "input/soup/soup.h"
 
 static graze_status check_volume_marks(const nef *n) {
     size_t marked = 0;

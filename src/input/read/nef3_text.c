@@ -10,7 +10,6 @@
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/read/nef3_text.h"
-#include "input/read/token_lines.h"
 
 enum { ITEM_BYTES_LEAST = 7 };
 

@@ -4,7 +4,6 @@
 #define GRAZE_INPUT_READ_NEF3_TEXT_H
 
 #include <stdint.h>
-#include "input/read/read.h"
 #include "input/read/token_lines.h"
 
 /* The reader of .nef3 files. */

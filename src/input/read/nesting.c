@@ -12,7 +12,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "input/soup/soup.h"
 #include "input/validate/validate.h"
 
 typedef struct ring {

@@ -11,7 +11,6 @@
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/read/token_lines.h"
-#include "input/soup/soup.h"
 
 static int is_one_of(token t, const char *const *words) {
     while (*words != NULL && (strlen(*words) != t.length || memcmp(*words, t.text, t.length) != 0))

@@ -10,7 +10,6 @@
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/read/token_lines.h"
-#include "input/soup/soup.h"
 
 /* Declarations of the head. Each letter stands once, in any order: Geomview writes ST C N, others N
  * C ST. */

@@ -11,7 +11,6 @@
 #include "base/number/rational.h"
 #include "base/number/rounding.h"
 #include "input/read/token_lines.h"
-#include "input/soup/soup.h"
 
 typedef struct ply {
     soup *s;

@@ -1,16 +1,13 @@
 /* Formats of solids, and the choice of a reader by a file's name.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/read/read.h"
+#include "input/read/nef3_text.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include "base/context/file.h"
 #include "base/context/scope.h"
-#include "input/read/nef3_text.h"
-#include "input/read/token_lines.h"
-#include "input/soup/soup.h"
 
 static const char not_mended[] = "only meshes are mended; expected",
                   no_mesh[] = "a curved solid is no mesh; expected a mesh in",

@@ -10,7 +10,6 @@
 #include "base/number/rounding.h"
 #include "base/number/vector.h"
 #include "input/read/token_lines.h"
-#include "input/soup/soup.h"
 
 enum { HEADER = 84, RECORD = 50 };
 

@@ -4,9 +4,7 @@
 #define GRAZE_INPUT_READ_TOKEN_LINES_H
 
 #include <flint/fmpq.h>
-#include "base/context/context.h"
 #include "input/read/read.h"
-#include "input/soup/soup.h"
 
 /* A text as lines of tokens, with line numbers for messages, for the readers of solids.
  *

@@ -9,7 +9,6 @@
 #include "base/number/rational.h"
 #include "base/number/vector.h"
 #include "input/read/token_lines.h"
-#include "input/soup/soup.h"
 #include "input/validate/validate.h"
 
 typedef struct wkt {

@@ -4,7 +4,6 @@
 #define GRAZE_INPUT_SCAD_ARGUMENTS_H
 
 #include <flint/fmpq.h>
-#include "base/context/context.h"
 #include "input/delimited/delimited.h"
 #include "input/scad/scad.h"
 

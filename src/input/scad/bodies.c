@@ -5,9 +5,7 @@
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "input/csg/csg.h"
-#include "input/scad/arguments.h"
 #include "input/scad/hull.h"
-#include "input/scad/writer.h"
 
 static graze_status write_cube(scad_writer *w, const scad_place *p) {
     LOCAL_VEC(fmpq, low, 6);

@@ -12,8 +12,6 @@
 #include <flint/fmpq.h>
 #include <stdint.h>
 #include "base/context/array.h"
-#include "base/context/context.h"
-#include "input/scad/arguments.h"
 #include "input/scad/writer.h"
 
 /** Points of the plane or of space, each with 3 coordinates; the last is 0 in the plane. */

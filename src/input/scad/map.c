@@ -5,7 +5,6 @@
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "input/csg/csg.h"
-#include "input/scad/arguments.h"
 #include "input/scad/writer.h"
 
 /* Binary places of bounds. */

@@ -3,14 +3,11 @@
  */
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "input/csg/csg.h"
 #include "input/motion/motion.h"
-#include "input/scad/arguments.h"
 #include "input/scad/hull.h"
-#include "input/scad/writer.h"
 
 /* The image of (x, y) under the writer's map. */
 static void map_point(fmpq *out, const scad_writer *w, const fmpq *x) {

@@ -6,7 +6,6 @@
  */
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-#include "input/scad/arguments.h"
 #include "input/scad/writer.h"
 
 enum { CORNER_BITS = 60, ANGLE_BITS = 160 };

@@ -5,7 +5,7 @@
  * solid iff (distance from the axis, height) is in the outline: so nodes of the plane are written
  * where they stand, in the form of the extrusion around them.
  */
-#include "input/scad/scad.h"
+#include "input/scad/writer.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
@@ -13,8 +13,6 @@
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
 #include "base/number/vector.h"
-#include "input/scad/arguments.h"
-#include "input/scad/writer.h"
 
 static graze_status write_node(scad_writer *w, size_t node);
 

@@ -4,7 +4,6 @@
 #include <flint/fmpq_vec.h>
 #include <stdio.h>
 #include "base/context/scope.h"
-#include "input/scad/arguments.h"
 #include "input/scad/writer.h"
 
 void scad_open(scad_writer *w, const scad_place *p, const char *key, char bracket) {

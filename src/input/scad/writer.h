@@ -4,10 +4,7 @@
 #define GRAZE_INPUT_SCAD_WRITER_H
 
 #include <flint/fmpq.h>
-#include "base/context/context.h"
-#include "base/number/json.h"
 #include "input/scad/arguments.h"
-#include "input/scad/scad.h"
 
 /* The state in which the nodes of OpenSCAD's files are written. */
 

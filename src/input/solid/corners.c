@@ -5,8 +5,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include "input/soup/soup.h"
-#include "input/validate/validate.h"
 
 /* Set `error` and `reach` from the corners of the simplices; vertices of no simplex do not count.
  */

@@ -8,10 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "input/csg/csg.h"
 #include "input/planar/planar.h"
-#include "input/soup/soup.h"
-#include "input/validate/validate.h"
 
 static graze_status make_slabs(graze_solid *solid, graze_context *context) {
     return slabs_make(&solid->slabs, &solid->boxes, &solid->corners, solid->input.dimension)

@@ -6,7 +6,6 @@
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
-#include "input/validate/validate.h"
 
 enum { KNOWN_SIMPLICES = 1024 };
 

@@ -15,7 +15,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/validate/validate.h"
 
 typedef struct ray {
     const skin *of;

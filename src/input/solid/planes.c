@@ -6,7 +6,6 @@
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
-#include "input/validate/validate.h"
 
 static const fmpz *form_at(const plane_list *list, size_t k) {
     return list->form + k * (size_t)(list->dimension + 1);

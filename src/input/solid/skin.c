@@ -6,8 +6,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/soup/soup.h"
-#include "input/validate/validate.h"
 
 graze_status skin_bounds(double **low, double **high, graze_context *context, const soup *input) {
     size_t n = input->vertex_count * (size_t)input->dimension;

@@ -6,7 +6,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include "input/validate/validate.h"
 
 /* A node of more than SLAB_MOST simplices is seldom flat. At a node of fewer than SLAB_LEAST,
  * testing the simplices themselves costs no more; half of all nodes are so small. */

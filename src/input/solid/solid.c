@@ -4,7 +4,6 @@
 #include "input/solid/solid.h"
 
 #include "base/context/scope.h"
-#include "input/validate/validate.h"
 
 solid_kind solid_kind_of(const graze_solid *solid) {
     int space = solid->input.dimension == 3;

@@ -3,8 +3,6 @@
  */
 #include "input/solid/solid.h"
 
-#include "input/soup/soup.h"
-
 static void put_position(text *out, const fmpq *x, int d) {
     for (int k = 0; k < d; k++) {
         if (k > 0)

@@ -1,12 +1,10 @@
 /* The crossing of a ring of area zero with itself, for a message: the ring's lobes cancel, so no
  * reader can turn it. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/validate/validate.h"
+#include "input/validate/boxes.hpp"
 
 #include <algorithm>
 #include <limits>
-#include "input/soup/soup.h"
-#include "input/validate/boxes.hpp"
 #include "input/validate/cgal.hpp"
 #include "input/validate/steps.hpp"
 

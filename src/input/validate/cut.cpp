@@ -17,7 +17,6 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include "input/validate/boxes.hpp"
 #include "input/validate/cgal.hpp"
-#include "input/validate/failure.hpp"
 
 namespace {
 

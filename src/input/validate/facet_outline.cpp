@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include "input/validate/boxes.hpp"
-#include "input/validate/failure.hpp"
 #include "input/validate/germs.hpp"
 
 namespace {

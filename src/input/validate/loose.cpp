@@ -6,13 +6,10 @@
  * the ends of such edges are gone through in their order, and each part between two neighbouring
  * ends is run through by the edges that begin before and end behind it.
  */
-#include "input/validate/validate.h"
+#include "input/validate/cgal.hpp"
 
 #include <array>
-#include "input/soup/soup.h"
-#include "input/validate/cgal.hpp"
 #include "input/validate/steps.hpp"
-#include "input/validate/pairs.hpp"
 
 namespace {
 

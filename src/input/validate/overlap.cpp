@@ -6,13 +6,10 @@
  * coordinates, hence the candidate boxes, are exact for both: boundaries a gap of any size apart
  * along an axis give no candidate at all.
  */
-#include "input/validate/validate.h"
+#include "input/validate/boxes.hpp"
 
 #include <flint/fmpq_mat.h>
-#include "input/soup/soup.h"
-#include "input/validate/boxes.hpp"
 #include "input/validate/cgal.hpp"
-#include "input/validate/pairs.hpp"
 
 namespace {
 

@@ -5,7 +5,6 @@
 #define GRAZE_VALIDATE_STEPS_HPP
 
 #include <numeric>
-#include "base/context/context.h"
 #include "input/validate/pairs.hpp"
 
 /** Refuse a soup whose vertices, cells, or the three sides of every cell, 32 bits cannot count. */

@@ -13,9 +13,7 @@
 #include <string>
 #include <tuple>
 #include "input/validate/boxes.hpp"
-#include "input/validate/failure.hpp"
 #include "input/validate/germs.hpp"
-#include "input/validate/pairs.hpp"
 
 namespace {
 

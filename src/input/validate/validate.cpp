@@ -24,10 +24,8 @@
  * E^3 contacts in isolated points need no look. Diagonals, made by cutting facets, are edges here.
  * Proofs: proofs/claims.md C2, C3, C4 and C7; C5 says that nothing legal is refused.
  */
-#include "input/validate/validate.h"
 
 #include <CGAL/version.h>
-#include "input/soup/soup.h"
 #include "input/validate/cgal.hpp"
 #include "input/validate/steps.hpp"
 

@@ -1,18 +1,12 @@
 /* Checks that two tables go together, chooses columns and keys, and makes digests of keys.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/compare.h"
+#include "output/compare/judgement.h"
 
 #include <flint/fmpq.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
-#include "base/number/text.h"
-#include "decide/filter/filter.h"
-#include "input/delimited/delimited.h"
-#include "output/compare/counts.h"
-#include "output/compare/judgement.h"
-#include "output/compare/rows.h"
 
 /* Ids of more characters are compared as texts, also if they look like numbers. */
 enum { LONGEST_NUMBER = 40 };

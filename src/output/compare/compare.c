@@ -1,16 +1,11 @@
 /* Runs through both tables and counts.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/compare.h"
+#include "output/compare/judgement.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/filter/filter.h"
-#include "input/delimited/delimited.h"
-#include "output/compare/counts.h"
-#include "output/compare/judgement.h"
-#include "output/compare/rows.h"
 
 /* Both tables and their matching during a comparison. */
 typedef struct run {

@@ -1,7 +1,7 @@
 /* Counts, disagreements kept and depths of a comparison: wrong rows are measured.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/compare.h"
+#include "output/compare/counts.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
@@ -10,14 +10,7 @@
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/rounding.h"
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "output/compare/counts.h"
-#include "output/compare/rows.h"
-#include "output/report/report.h"
-#include "questions/distance/distance.h"
 
 /* The width of an enclosure, in diagonals. */
 static const double DEPTH_WIDTH = 1e-13;

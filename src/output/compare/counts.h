@@ -4,13 +4,7 @@
 #define GRAZE_OUTPUT_COMPARE_COUNTS_H
 
 #include <flint/fmpq.h>
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
-#include "graze/compare.h"
-#include "input/delimited/delimited.h"
-#include "output/compare/compare.h"
 #include "output/compare/rows.h"
-#include "output/report/report.h"
 
 /* Numbers rounded up to a few decimal digits, for reports. */
 

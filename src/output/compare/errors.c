@@ -2,15 +2,12 @@
  * value of a column.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/compare.h"
+#include "output/compare/counts.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
-#include "base/context/context.h"
 #include "base/context/scope.h"
-#include "input/delimited/delimited.h"
-#include "output/compare/counts.h"
 
 /* KEPT is the least number of six digits, NEXT the least of seven, SHORT the unit of the second
  * digit of six. */

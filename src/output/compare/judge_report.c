@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "output/report/report.h"
-#include "questions/judge/judge.h"
 
 /* Names of a figure in JSON and in texts. */
 typedef struct figure {

@@ -1,16 +1,12 @@
 /* Reads answers and judges them under the question asked.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/compare.h"
+#include "output/compare/judgement.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
-#include "input/delimited/delimited.h"
-#include "output/compare/counts.h"
-#include "output/compare/judgement.h"
-#include "output/compare/rows.h"
 
 const char *const pmc_words[3] = {"in", "on", "out"};
 const char *const class_words[5] = {"regular", "fold", "fold_boundary", "boundary", "exterior"};

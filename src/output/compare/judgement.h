@@ -3,11 +3,7 @@
 #ifndef GRAZE_OUTPUT_COMPARE_JUDGEMENT_H
 #define GRAZE_OUTPUT_COMPARE_JUDGEMENT_H
 
-#include "base/number/json.h"
-#include "input/delimited/delimited.h"
-#include "output/compare/compare.h"
 #include "output/compare/counts.h"
-#include "output/compare/rows.h"
 
 /* The answers of a row, and the judgement of the candidate's. */
 

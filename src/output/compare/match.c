@@ -5,13 +5,9 @@
  * sought, so that the fewest rows lack a counterpart. If the windows have no such pair, golden rows
  * count as missing until one matches a row of the candidate's window.
  */
-#include "output/compare/compare.h"
-
-#include "base/context/context.h"
-#include "base/context/scope.h"
-#include "input/delimited/delimited.h"
 #include "output/compare/counts.h"
-#include "output/compare/rows.h"
+
+#include "base/context/scope.h"
 
 void match_start(match *m, graze_context *context, table *golden, table *candidate,
                  const row_key *key, match_way way, int sites) {

@@ -2,20 +2,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "base/context/scope.h"
-#include "output/compare/compare.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/team.h"
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "input/delimited/delimited.h"
-#include "output/compare/counts.h"
 #include "output/compare/judgement.h"
-#include "questions/generate/generate.h"
-#include "questions/judge/judge.h"
 
 /* The exact answer and the mesh's answer at a point. */
 typedef struct mesh_row {

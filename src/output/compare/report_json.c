@@ -4,10 +4,6 @@
  * Counts are JSON numbers, everything else text. Bytes above 127 that come from the files become
  * `?`, so that the object is UTF-8.
  */
-#include "output/compare/compare.h"
-
-#include "decide/filter/filter.h"
-#include "output/compare/counts.h"
 #include "output/compare/judgement.h"
 
 static void put_json_summary(json_writer *w, const graze_comparison *c) {

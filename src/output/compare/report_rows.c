@@ -1,11 +1,7 @@
 /* Reports on rows and contact points, as Markdown and as JSON.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/compare.h"
-
-#include "output/compare/counts.h"
 #include "output/compare/judgement.h"
-#include "output/compare/rows.h"
 
 const struct quantile quantiles[QUANTILES] = {{"50", 500}, {"90", 900}, {"99", 990}, {"99.9", 999}};
 

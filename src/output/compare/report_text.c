@@ -1,13 +1,10 @@
 /* Reports of comparisons as Markdown.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/compare.h"
+#include "output/compare/judgement.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include "decide/filter/filter.h"
-#include "output/compare/counts.h"
-#include "output/compare/judgement.h"
 
 const grouping shown_by[SHOWN_BY] = {BY_STRATUM, BY_DISTANCE, BY_SDF};
 

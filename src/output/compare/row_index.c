@@ -5,18 +5,12 @@
  * For the latter a pass over the table keeps the digests of the rows in one share of the keys. A
  * table too large for one pass is read several times, once for each share.
  */
-#include "output/compare/compare.h"
+#include "output/compare/counts.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
-#include "base/context/context.h"
 #include "base/context/scope.h"
-#include "base/context/slots.h"
-#include "base/number/text.h"
-#include "input/delimited/delimited.h"
-#include "output/compare/counts.h"
-#include "output/compare/rows.h"
 
 /* The number of the entry of a key, among entries of `size` bytes that begin with their keys;
  * SLOTS_NONE if there is none. */

@@ -5,9 +5,6 @@
 
 #include <flint/fmpq.h>
 #include <stdint.h>
-#include "base/context/slots.h"
-#include "decide/filter/filter.h"
-#include "input/delimited/delimited.h"
 #include "output/compare/compare.h"
 
 /* A table of answers as a stream of rows: golden or a candidate's.

@@ -4,17 +4,12 @@
  * An answer may be empty where graze contact leaves it empty; an empty answer equals only an empty
  * one. Times and numbers are compared by value, all else as text.
  */
-#include "output/compare/compare.h"
+#include "output/compare/judgement.h"
 
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
-#include "decide/filter/filter.h"
-#include "input/delimited/delimited.h"
-#include "output/compare/counts.h"
-#include "output/compare/judgement.h"
-#include "output/compare/rows.h"
 
 /* Kind of rows of a table; KIND_ANY if its columns do not tell. */
 typedef enum table_kind { KIND_ANY, KIND_POINTS, KIND_CONTACTS } table_kind;

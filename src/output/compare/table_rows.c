@@ -1,7 +1,7 @@
 /* Reads the `#` lines, the column line and the rows of a table.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/compare.h"
+#include "output/compare/counts.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,9 +11,6 @@
 #include "base/context/scope.h"
 #include "base/context/spelling.h"
 #include "base/number/rational.h"
-#include "input/delimited/delimited.h"
-#include "output/compare/counts.h"
-#include "output/compare/rows.h"
 
 static const char *const column_names[COLUMN_OPTIONS] = {
     "x",           "y",     "z",          "id",      "stratum", "order", "k",

@@ -4,17 +4,13 @@
  * Under a motion error ETA the signed distance lies in [sdf_low - ETA, sdf_high + ETA], and its
  * sign is certain where this interval has one (proofs/distance.md C73).
  */
-#include "output/compare/compare.h"
+#include "output/compare/counts.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdio.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
-#include "decide/filter/filter.h"
-#include "input/delimited/delimited.h"
-#include "output/compare/counts.h"
-#include "output/compare/rows.h"
 
 /* Read the number of an option, 0 if there is none; its sign must be at least `least`. */
 static graze_status read_amount(fmpq_t out, graze_context *context, const char *name,

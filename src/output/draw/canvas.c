@@ -2,7 +2,7 @@
  * kind.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/views.h"
 
 #include <ctype.h>
 #include <dlfcn.h>
@@ -13,7 +13,6 @@
 #include <unistd.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "output/draw/views.h"
 
 void drawn_path_clear(drawn_path *p) {
     free(p->node);

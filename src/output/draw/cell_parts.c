@@ -1,16 +1,12 @@
 /* Split cells: which ones, their tones; runs of cells and of parts.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/views.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "output/draw/panel.h"
-#include "output/draw/views.h"
 
 /* The answer, TONE_OUT or TONE_IN, to which a band of the distance belongs; other tones stay. */
 static tone tone_side(unsigned char t) {

@@ -1,7 +1,7 @@
 /* Grids of cells: layout, exact classification, runs.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/views.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
@@ -9,11 +9,7 @@
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
 #include "base/number/vector.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "output/draw/panel.h"
-#include "output/draw/views.h"
 
 tone tone_of(const graze_verdict *v) {
     if (v->pmc == GRAZE_PMC_UNDECIDED || v->class_ == GRAZE_CLASS_UNDECIDED)

@@ -1,7 +1,7 @@
 /* Rings of sectors about a point: a ring for each contact at rest and each of its sides, and one
  * for the directions that all of them leave open. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/views.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -10,12 +10,7 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
-#include "input/solid/solid.h"
-#include "output/draw/views.h"
 #include "output/report/report.h"
-#include "questions/topo/topo.h"
 
 enum { MIDDLE_X = 280, MIDDLE_Y = 330, INNER = 36, OUTER = 220, WIDEST = 30, LEGEND_X = 580 };
 enum { FIRST_LINE = 90, LINE = 18, WIDTH = 1080, LEAST_HEIGHT = 600, SMALLEST = 9 };

@@ -1,14 +1,11 @@
 /* Marching squares whose nodes are bisected, or interpolated between distances.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/views.h"
 
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "output/draw/panel.h"
-#include "output/draw/views.h"
 
 /* The grid of cells, surrounded by two rings of cells: the inner ring, from (1, 1) on, repeats its
  * neighbours in the grid, and the outer ring is outside the region. */

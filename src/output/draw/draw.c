@@ -1,18 +1,13 @@
 /* The stages of a picture: its contents are made exactly, then the panels are laid out and drawn.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/views.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "output/draw/panel.h"
-#include "output/draw/views.h"
 
 /* Make the positions of S at times spread evenly over the motion, both ends included. */
 static graze_status make_positions(picture *p, graze_context *context) {

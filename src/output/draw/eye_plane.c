@@ -10,9 +10,6 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/csg/csg.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "output/draw/panel.h"
 
 static void put_scaled(double *out, const csg_surface *s) {

@@ -3,16 +3,12 @@
  * Losasso, Schaefer, Warren 2002). Four cells around a crossed side make two triangles.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/panel.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/csg/csg.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
-#include "output/draw/panel.h"
 
 /* CELLS along a side of the lattice; TIMES_HALVED of a cell's side to find its crossing. */
 enum { CELLS = 64, ALONG = CELLS + 1, TIMES_HALVED = 12 };

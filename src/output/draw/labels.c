@@ -1,15 +1,13 @@
 /* Places for names: rings of candidates around the point, the nearest free one wins.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/views.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
-#include "output/draw/panel.h"
-#include "output/draw/views.h"
 
 /* The bin of a pixel along an axis; the first or last bin for a pixel outside the panel. */
 static int bin_of(const labels *l, int axis, double pixel) {

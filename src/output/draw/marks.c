@@ -1,11 +1,9 @@
 /* Colours, signs, the legend.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/views.h"
 
 #include "base/context/scope.h"
-#include "input/solid/solid.h"
-#include "output/draw/views.h"
 
 enum { SLIDE = 0xcc79a7 };
 

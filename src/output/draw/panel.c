@@ -1,14 +1,11 @@
 /* Windows, projections, frames and their numbers.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/views.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include "base/number/doubles.h"
-#include "output/draw/panel.h"
-#include "output/draw/views.h"
 
 enum { TITLE_SIZE = 13, NUMBER_SIZE = 11 };
 

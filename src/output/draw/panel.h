@@ -6,11 +6,6 @@
 #include <flint/fmpq.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "base/number/text.h"
-#include "decide/bounds/bounds.h"
-#include "decide/scene/scene.h"
-#include "input/csg/csg.h"
-#include "input/solid/solid.h"
 #include "output/draw/draw.h"
 
 /* One frame of a picture: a window on a plane onto which points are projected. */

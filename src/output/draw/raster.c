@@ -1,13 +1,11 @@
 /* Pixels, and runs of them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/views.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "output/draw/panel.h"
-#include "output/draw/views.h"
 
 /* Most runs of one panel: a run takes about 12 bytes of SVG, and a picture has two such panels. */
 enum { MOST_RUNS = 50000 };

@@ -1,7 +1,7 @@
 /* The plane and the box of a request, the cells in them, and the cells' distances.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/views.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
@@ -9,11 +9,7 @@
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
 #include "base/number/vector.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "output/draw/panel.h"
-#include "output/draw/views.h"
 #include "questions/distance/distance.h"
 
 /* The scene's box with a margin of 1/16 of its longest side. */

@@ -1,16 +1,13 @@
 /* Coordinates in a plane, and the part of the plane in a box.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/panel.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
-#include "base/number/doubles.h"
-#include "base/number/dyadic.h"
 #include "base/number/vector.h"
-#include "output/draw/panel.h"
 
 /* Divide a vector by the absolute value of its largest entry. */
 static void divide_by_largest(fmpq *v) {

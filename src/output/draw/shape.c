@@ -1,19 +1,12 @@
 /* Vertices at a time, outlines and slices. Segments whose ends have equal keys are neighbours.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/views.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "base/number/doubles.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/soup/soup.h"
-#include "input/validate/validate.h"
-#include "output/draw/panel.h"
-#include "output/draw/views.h"
 
 /* Map all vertices by d rows of d + 1 numbers. */
 static graze_status place_vertices(shape *out, graze_context *context, const graze_solid *solid,

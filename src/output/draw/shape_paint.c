@@ -4,17 +4,12 @@
  * Sides of triangles are sorted by their ends, so that the two sides at an edge are neighbours. The
  * angle at an edge is computed in doubles, since only pictures depend on it.
  */
-#include "output/draw/draw.h"
+#include "output/draw/views.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "base/number/doubles.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
-#include "output/draw/panel.h"
-#include "output/draw/views.h"
 
 /* A mesh with DENSE triangles or more is dense: its edges are shown where the surface bends by more
  * than 30 degrees. Other meshes show all edges at which the surface bends. */

@@ -4,13 +4,12 @@
  * Coordinates have two decimals and are written with integers alone, so that the same picture is
  * the same bytes in any locale.
  */
-#include "output/draw/draw.h"
+#include "output/draw/views.h"
 
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include "output/draw/views.h"
 
 typedef struct svg_canvas {
     canvas base;

@@ -1,7 +1,7 @@
 /* Trajectories as chains of places, dense where they bend.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/panel.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -10,13 +10,7 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/bounds/bounds.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "output/draw/panel.h"
 
 /* A time of the motion in doubles: the parameter u in [0, 1] of a piece. */
 typedef struct moment {

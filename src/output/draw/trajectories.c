@@ -1,13 +1,10 @@
 /* The panel of trajectories: lines, and arrowheads, contacts and names that do not overlap.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/views.h"
 
 #include <math.h>
 #include "base/context/scope.h"
-#include "decide/bounds/bounds.h"
-#include "output/draw/panel.h"
-#include "output/draw/views.h"
 
 /* The visible part of a trajectory: its beginning, its length, and the place at a given length with
  * the direction at this place. */

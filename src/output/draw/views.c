@@ -1,13 +1,11 @@
 /* The panels: classes of cells, positions in space, trajectories.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/draw.h"
+#include "output/draw/views.h"
 
 #include <math.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "output/draw/panel.h"
-#include "output/draw/views.h"
 
 int picture_is_plane(const picture *p) {
     return p->scene->motion->dimension == 2;

@@ -3,11 +3,6 @@
 #ifndef GRAZE_OUTPUT_DRAW_VIEWS_H
 #define GRAZE_OUTPUT_DRAW_VIEWS_H
 
-#include "base/number/text.h"
-#include "decide/scene/scene.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "output/draw/draw.h"
 #include "output/draw/panel.h"
 
 /* Paths, and drawing on a canvas (draw.h). */

@@ -4,7 +4,6 @@
 #include "output/page/page.h"
 
 #include <stddef.h>
-#include "output/report/report.h"
 
 #define FILE_AS(name, path) ASSET_FILE(name, "src/output/page/" path)
 

@@ -4,7 +4,6 @@
 #include "output/page/page.h"
 
 #include <string.h>
-#include "output/draw/draw.h"
 
 void encode_string(json_writer *w, const char *key, const char *string) {
     text *out = json_begin(w, key);

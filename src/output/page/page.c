@@ -6,11 +6,6 @@
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "input/csg/csg.h"
-#include "input/solid/solid.h"
-#include "output/draw/draw.h"
-#include "output/report/report.h"
 
 /* Put the names and colours of all tones, in the order of their numbers. */
 static void put_tones(json_writer *w) {

@@ -7,13 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "input/motion/motion.h"
-#include "output/draw/draw.h"
-#include "output/report/report.h"
 
 enum { DECIMAL_DIGITS = 12 };
 /* The greatest number of points whose roots are written exactly; points that are wrong or `on` have

@@ -6,11 +6,6 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/soup/soup.h"
-#include "output/draw/draw.h"
 #include "questions/boundary/boundary.h"
 
 static graze_status put_shown_edges(json_writer *w, graze_context *context,

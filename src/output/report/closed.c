@@ -1,8 +1,5 @@
 /* Positions in words. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/report.h"
-
 #include "output/report/row_parts.h"
-#include "questions/topo/topo.h"
 
 /* For each level two sentences: one if the contacts cover a neighbourhood of the point, one if a
  * witness shows a gap. */

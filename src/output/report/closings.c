@@ -4,15 +4,10 @@
  * (proofs/topology.md C46). In E^3 a facet's half-space is given and, if first order leaves a plane
  * open, the sides of this plane that the contact covers.
  */
-#include "output/report/report.h"
+#include "output/report/row_parts.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "output/report/row_parts.h"
-#include "questions/topo/topo.h"
 
 typedef struct closings_maker {
     text *t;

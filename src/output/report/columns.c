@@ -1,13 +1,7 @@
 /* The table of columns. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/report.h"
+#include "output/report/row_parts.h"
 
 #include <string.h>
-#include "decide/scene/scene.h"
-#include "input/delimited/delimited.h"
-#include "output/report/row_parts.h"
-#include "output/table/table.h"
-#include "questions/distance/distance.h"
-#include "questions/topo/topo.h"
 
 static graze_status find_distance(row *r, graze_context *context) {
     return distance_find(&r->space, context, r->scene, r->point, r->trace, r->shown->sdf);

@@ -4,15 +4,12 @@
  * An irrational root is never a tie, so its isolating interval is narrowed until MPFR rounds both
  * ends to the same digits; all numbers between them then round alike.
  */
-#include "output/report/report.h"
+#include "output/report/row_parts.h"
 
 #include <mpfr.h>
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
-#include "output/report/row_parts.h"
 
 int time_is_rational(const graze_time *time) {
     /* Without a context the call cannot fail: no limit, no cancel callback. */

@@ -1,12 +1,9 @@
 /* Decimals that are bounds. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/report.h"
+#include "output/report/row_parts.h"
 
 #include <math.h>
 #include <mpfr.h>
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "output/report/row_parts.h"
-#include "questions/distance/distance.h"
 
 /* Digits of the decimal of an irrational time. */
 enum { DECIMAL_DIGITS = 17 };

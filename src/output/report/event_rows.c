@@ -1,11 +1,5 @@
 /* Rows of events. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/report.h"
-
-#include "decide/bounds/bounds.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "output/report/row_parts.h"
-#include "questions/envelope/envelope.h"
 
 static const char *known_name(const char *name) {
     return name[0] == 'n' && name[1] == 'o' && name[2] == 'n' ? "" : name;

@@ -5,18 +5,12 @@
  * the counts, and the definition and case that apply. Every number is exact; decimals stand beside
  * exact times and are correctly rounded.
  */
-#include "output/report/report.h"
+#include "output/report/row_parts.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdio.h>
 #include "base/context/scope.h"
-#include "base/number/decimal.h"
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "input/motion/motion.h"
-#include "output/report/row_parts.h"
 
 enum { DECIMAL_DIGITS = 12 };
 

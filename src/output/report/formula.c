@@ -11,7 +11,6 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
-#include "input/motion/motion.h"
 #include "output/report/row_parts.h"
 
 enum { LONG_NUMBER = 40, SHOWN_FIGURES = 12, LONG_POLYNOMIAL = 9, SHOWN_TERMS = 3 };

@@ -5,12 +5,9 @@
  * ends are ends of contacts or of the motion. The first time is t0 if the state at t0 is I or B,
  * else the beginning of the first contact; the last time is t1 or the end of the last contact.
  */
-#include "output/report/report.h"
+#include "output/report/row_parts.h"
 
 #include "base/context/scope.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
-#include "output/report/row_parts.h"
 
 enum { NEAR_DIGITS = 17 };
 

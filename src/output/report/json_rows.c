@@ -1,14 +1,9 @@
 /* One point's verdict and contacts as a line of JSON (src/program/cli/formats.md, JSON Lines).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-
-#include "output/report/report.h"
-
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
-#include "decide/verdict/verdict.h"
-#include "input/csg/csg.h"
 #include "output/report/row_parts.h"
+
+#include "decide/verdict/verdict.h"
 
 /* Write the cells of a contact; for a curved solid the titles of the primitives. */
 static void json_features(json_writer *w, const graze_scene *scene, const contact *c) {

@@ -1,14 +1,9 @@
 /* Cells, states, times, points, enclosures and positions as JSON.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/report.h"
+#include "output/report/row_parts.h"
 
 #include <stdio.h>
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
-#include "output/report/row_parts.h"
-#include "questions/distance/distance.h"
-#include "questions/topo/topo.h"
 
 enum { APPROX_DIGITS = 17 };
 

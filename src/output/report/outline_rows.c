@@ -1,13 +1,11 @@
 /* Outlines as text, JSON and rows of a table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/report.h"
+#include "output/report/row_parts.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "output/report/row_parts.h"
-#include "questions/outline/outline.h"
 
 enum { NEAR_DIGITS = 17 };
 

@@ -1,10 +1,7 @@
 /* Verdict, word, contacts and cells. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/report.h"
-
-#include "decide/trace/trace.h"
-#include "decide/verdict/verdict.h"
 #include "output/report/row_parts.h"
-#include "questions/collide/collide.h"
+
+#include "decide/verdict/verdict.h"
 
 enum { NEAR_DIGITS = 17 };
 

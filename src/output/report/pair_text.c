@@ -1,11 +1,9 @@
 /* Verdict, word, contacts and cells in words. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/report.h"
+#include "output/report/row_parts.h"
 
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "decide/verdict/verdict.h"
-#include "output/report/row_parts.h"
-#include "questions/collide/collide.h"
 
 const char *pair_verdict_name(graze_pair_verdict verdict) {
     return verdict == GRAZE_PAIR_CLEAR     ? "clear"

@@ -5,12 +5,9 @@
 #define GRAZE_OUTPUT_REPORT_H
 
 #include "base/number/decimal.h"
-#include "base/number/json.h"
-#include "base/number/text.h"
 #include "decide/bounds/bounds.h"
 #include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
-#include "graze/report.h"
 #include "input/motion/motion.h"
 #include "output/report/columns.h"
 #include "questions/collide/collide.h"

@@ -4,15 +4,7 @@
 #define GRAZE_OUTPUT_REPORT_ROW_PARTS_H
 
 #include <flint/fmpq_poly.h>
-#include "base/number/decimal.h"
-#include "base/number/json.h"
-#include "base/number/text.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
 #include "output/report/report.h"
-#include "questions/distance/distance.h"
-#include "questions/topo/topo.h"
 
 /* The first and the last time at which a point is in the closed solid (src/program/cli/formats.md,
  * Tables). */

@@ -1,9 +1,5 @@
 /* Rows of sites. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/report.h"
-
-#include "decide/scene/scene.h"
 #include "output/report/row_parts.h"
-#include "questions/contact/contact.h"
 
 static void put_numbers(text *t, const fmpq *x, int count) {
     for (int k = 0; k < count; k++) {

@@ -1,13 +1,8 @@
 /* Answers points for rows. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/report.h"
+#include "output/report/row_parts.h"
 
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
-#include "output/report/row_parts.h"
-#include "questions/distance/distance.h"
-#include "questions/topo/topo.h"
 
 trace_detail row_detail(const graze_row_options *shown) {
     trace_detail detail = shown->columns == GRAZE_COLUMNS_PMC   ? TRACE_PMC

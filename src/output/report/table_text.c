@@ -1,15 +1,10 @@
 /* The table: its head and its rows (src/program/cli/formats.md, Tables).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-
-#include "output/report/report.h"
+#include "output/report/row_parts.h"
 
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "output/report/row_parts.h"
-#include "output/table/table.h"
-#include "questions/distance/distance.h"
 
 static void put_hash(text *t, const char *key, const unsigned char sha256[32]) {
     int given = 0;

@@ -1,13 +1,10 @@
 /* Times in sentences, relative to t0 if t0 is large.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/report/report.h"
+#include "output/report/row_parts.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
-#include "output/report/row_parts.h"
 
 enum { DECIMAL_DIGITS = 12 };
 

@@ -5,7 +5,6 @@
 
 #include <stdlib.h>
 #include "base/context/array.h"
-#include "input/delimited/delimited.h"
 
 void texts_clear(texts *t) {
     text_clear(&t->bytes);

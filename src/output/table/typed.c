@@ -4,7 +4,6 @@
 #include "output/table/table.h"
 
 #include <stdlib.h>
-#include "input/delimited/delimited.h"
 
 void typed_init(typed_table *t, graze_context *context) {
     *t = (typed_table){.context = context};

@@ -7,7 +7,6 @@
 
 #include <string.h>
 #include "base/context/scope.h"
-#include "input/delimited/delimited.h"
 
 /* Little-endian. */
 static void put_number(sink to, uint64_t value, size_t count) {

@@ -12,7 +12,6 @@
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/rounding.h"
-#include "input/delimited/delimited.h"
 
 static graze_status typed_no_memory(const typed_table *t) {
     return context_fail(t->context, GRAZE_ESYSTEM, "out of memory for a table");

@@ -12,7 +12,6 @@
 
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
-#include "input/delimited/delimited.h"
 
 static const char title[] =
     "graze " GRAZE_VERSION

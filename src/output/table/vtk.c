@@ -8,7 +8,6 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/delimited/delimited.h"
 
 static void vtk_put(const vtk *w, const char *text) {
     w->to.put(w->to.to, text, strlen(text));

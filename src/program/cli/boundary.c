@@ -1,13 +1,10 @@
 /* graze boundary: the boundary of a sweep by adaptive sampling.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include <stdio.h>
 #include "base/context/scope.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
-#include "program/run/run.h"
 
 HELP(boundary);
 

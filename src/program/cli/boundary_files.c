@@ -7,10 +7,7 @@
 #include <math.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "input/delimited/delimited.h"
-#include "output/table/table.h"
 #include "program/cli/values.h"
-#include "program/io/io.h"
 
 #define MISSES "sampled: parts, holes and gaps that hold no point of the sample are not seen"
 

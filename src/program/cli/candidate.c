@@ -15,7 +15,6 @@
 #include <unistd.h>
 #include "base/context/scope.h"
 #include "program/cli/values.h"
-#include "program/io/io.h"
 
 extern char **environ;
 

@@ -1,6 +1,6 @@
 /* graze cases: lists the golden cases of a folder, each with the first line of its README.md.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -10,9 +10,6 @@
 #include <string.h>
 #include <unistd.h>
 #include "base/context/scope.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
 
 HELP(cases);
 

@@ -1,12 +1,8 @@
 /* graze check: tells whether a solid and a motion are legal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include "base/context/scope.h"
-#include "base/number/text.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
-#include "program/run/run.h"
 
 HELP(check);
 

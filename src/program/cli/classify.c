@@ -1,15 +1,11 @@
 /* graze classify: the table.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include <string.h>
 #include "base/context/scope.h"
 #include "output/report/columns.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
-#include "program/run/run.h"
 
 HELP(classify);
 

@@ -4,7 +4,7 @@
  * Options may stand anywhere. A word that begins like a negative number is an operand, so that
  * `explain SOLID MOTION -1 2` needs no `--`.
  */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include <ctype.h>
 #include <getopt.h>
@@ -12,8 +12,6 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/context/spelling.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
 
 enum { HELP = 256, FIRST_OPTION };
 

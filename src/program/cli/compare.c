@@ -1,13 +1,11 @@
 /* graze compare: a candidate's answers against a golden table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
 
 HELP(compare);
 

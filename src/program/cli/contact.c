@@ -1,12 +1,8 @@
 /* graze contact: contact points of the envelope.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include "base/context/scope.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
-#include "program/run/run.h"
 
 HELP(contact);
 

@@ -1,15 +1,13 @@
 /* graze convert: a solid as exact OFF or WKT, one of OpenSCAD as .csg.json, a motion as plain
  * pieces. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include "base/context/scope.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
 
 HELP(convert);
 

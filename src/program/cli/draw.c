@@ -1,13 +1,10 @@
 /* graze draw: a picture of a scene.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include <stdio.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
 
 enum { TITLE_MOST = 512 };
 

@@ -1,12 +1,9 @@
 /* graze generate: query points, most of them degenerate by construction.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include "base/context/scope.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
 
 HELP(generate);
 

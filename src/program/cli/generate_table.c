@@ -5,10 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "base/number/text.h"
 #include "program/cli/values.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
 
 typedef struct maker {
     generated made;

@@ -1,13 +1,11 @@
 /* graze judge: how far a mesh is from the boundary of a sweep.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include <float.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
 
 HELP(judge);
 

@@ -3,9 +3,7 @@
  */
 #include <string.h>
 #include "base/context/scope.h"
-#include "base/number/text.h"
 #include "program/cli/values.h"
-#include "program/io/io.h"
 
 graze_status lost_strata_dyadic(lost_strata *lost, const loaded *l, const scene_options *o,
                                 unsigned long long seed, const unsigned long *weights) {

@@ -1,12 +1,10 @@
 /* graze: chooses the command.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include <stdio.h>
 #include <string.h>
 #include "base/context/spelling.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
 
 static const command *const commands[] = {
     &command_check, &command_classify, &command_merge,    &command_explain, &command_generate,

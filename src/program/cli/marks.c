@@ -6,10 +6,7 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/delimited/delimited.h"
 #include "program/cli/values.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
 
 void marks_clear(marks *m) {
     for (size_t k = 0; k < m->values; k++)

@@ -1,13 +1,11 @@
 /* graze mend: makes a legal solid from a mesh that is not one.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include <string.h>
 #include <strings.h>
 #include "base/context/scope.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
 
 HELP(mend);
 

@@ -5,17 +5,12 @@
  * Rows were dealt to the shards in turn (src/program/points/points.h) and are taken from the parts
  * in turn. Heads and last lines are checked before the first byte is written.
  */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "input/delimited/delimited.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
-#include "program/run/run.h"
 
 HELP(merge);
 

@@ -1,17 +1,13 @@
 /* graze motion: exact motion files from angles, screws, joints and poses.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/context/spelling.h"
-#include "input/delimited/delimited.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
 
 HELP(motion);
 HELP(motion_examples);

@@ -1,10 +1,8 @@
 /* graze outline: the exact boundary of a planar sweep or unsweep.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include "base/context/scope.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
 
 HELP(outline);
 

@@ -8,7 +8,6 @@
 #include <string.h>
 #include <unistd.h>
 #include "program/cli/values.h"
-#include "program/io/io.h"
 
 enum { SHRINK_WORDS = 40, NUMBER = 24 };
 

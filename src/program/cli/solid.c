@@ -1,13 +1,11 @@
 /* graze solid: tools and simple bodies as polyhedra.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include <stdio.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
 
 HELP(solid);
 

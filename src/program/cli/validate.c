@@ -3,7 +3,7 @@
  *
  * The steps are the commands generate, classify and compare, joined by files in one folder.
  */
-#include "program/cli/cli.h"
+#include "program/cli/values.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -12,10 +12,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "base/context/scope.h"
-#include "program/cli/values.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
-#include "program/run/run.h"
 
 HELP(validate);
 

@@ -7,8 +7,6 @@
 #include "base/context/scope.h"
 #include "base/number/json.h"
 #include "program/cli/values.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
 
 char *joined_texts(const char *a, const char *b) {
     char *text = malloc(strlen(a) + strlen(b) + 1);

@@ -8,8 +8,6 @@
 #include "base/context/scope.h"
 #include "base/context/spelling.h"
 #include "program/cli/values.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
 
 int value_text(void *to, const char *name, const char *value) {
     (void)name;

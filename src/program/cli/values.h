@@ -4,13 +4,7 @@
 #define GRAZE_PROGRAM_CLI_VALUES_H
 
 #include <stddef.h>
-#include "base/number/text.h"
-#include "graze.h"
-#include "input/delimited/delimited.h"
 #include "program/cli/cli.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
-#include "program/run/run.h"
 
 /* Boundaries by sampling as files: PLY, legacy VTK, CSV. */
 
@@ -105,7 +99,7 @@ void candidate_remove(const char *folder);
 #define OPTIONS_END                                                                                \
     { NULL, OPTION_FLAG, NULL, 0 }
 
-/** Define word_help, the text of help/word.txt. */
+/** Define word_help, the text of a file of help/. */
 #define HELP(word)                                                                                 \
     extern const char word##_help[] ASSET;                                                         \
     ASSET_FILE(word##_help, "src/program/cli/help/" #word ".txt")

@@ -4,10 +4,7 @@
 #include <math.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "input/delimited/delimited.h"
-#include "output/table/table.h"
 #include "program/cli/values.h"
-#include "program/io/io.h"
 
 static output out;
 

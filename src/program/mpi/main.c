@@ -8,8 +8,6 @@
 #include <stdio.h>
 #include <unistd.h>
 #include "program/cli/cli.h"
-#include "program/io/io.h"
-#include "program/run/run.h"
 
 static const char mpi_help[] =
     "mpirun -n N graze-mpi SOLID MOTION POINTS: graze classify on N ranks\n"

@@ -7,8 +7,6 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-#include "input/delimited/delimited.h"
-#include "program/points/points.h"
 
 static void pack_bytes(text *m, const void *from, size_t length) {
     text_bytes(m, from, length);

@@ -11,9 +11,6 @@
 #include <stdlib.h>
 #include <time.h>
 #include "base/context/scope.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
-#include "program/run/run.h"
 
 enum { AHEAD = 2, LOOKS = 50 };
 

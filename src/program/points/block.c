@@ -7,8 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
-#include "input/delimited/delimited.h"
-#include "program/io/io.h"
 
 int fault_set(fault *f, int status, const char *format, ...) {
     va_list arguments;

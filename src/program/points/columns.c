@@ -4,16 +4,12 @@
  * The first line is a header if it has a field x, y or (in E^3) z; else the first d columns are the
  * coordinates. Further columns are passed to the table unchanged.
  */
-#include "program/points/points.h"
+#include "program/points/heads.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "base/number/text.h"
-#include "input/delimited/delimited.h"
 #include "output/report/columns.h"
-#include "program/io/io.h"
-#include "program/points/heads.h"
 
 /* 0, 1, 2 for x, y, z, or for X, Y, Z if `first` is 'X'; -1 for any other name. */
 static int axis_of(field f, int dimension, char first) {

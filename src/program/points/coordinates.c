@@ -1,13 +1,10 @@
 /* Writes the coordinates of points in the form asked for.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/points/points.h"
+#include "program/points/heads.h"
 
 #include <stdio.h>
 #include <string.h>
-#include "input/delimited/delimited.h"
-#include "program/io/io.h"
-#include "program/points/heads.h"
 
 int coordinates_check(const coordinate_options *o) {
     if (o->digits && o->form != COORDINATES_DECIMAL)

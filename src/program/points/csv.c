@@ -4,15 +4,12 @@
  * Lines are found here and read later (columns_row); lines of other shards are only counted. One
  * buffer of the file and one block are in memory.
  */
-#include "program/points/points.h"
+#include "program/points/heads.h"
 
 #include <stdlib.h>
 #include <sys/stat.h>
 #include "base/context/scope.h"
-#include "input/delimited/delimited.h"
 #include "output/report/columns.h"
-#include "program/io/io.h"
-#include "program/points/heads.h"
 
 int csv_open(csv **out, const char *path, int dimension, shard part, graze_context *context) {
     struct stat about;

@@ -3,8 +3,6 @@
  */
 #include "program/points/points.h"
 
-#include "program/io/io.h"
-
 /* After SPENT repeated points in succession a stratum is given up, after OVER all strata are. */
 enum { SPENT = 20, OVER = 2000 };
 /* The most points of other strata that are passed over for another point of one stratum. */

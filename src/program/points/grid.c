@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "program/io/io.h"
 
 /* Cut a text at its commas into at most `most` words; returns how many words it has. */
 static int cut_at_commas(const char **start, size_t *length, int most, const char *text) {

@@ -3,8 +3,6 @@
 #ifndef GRAZE_PROGRAM_POINTS_HEADS_H
 #define GRAZE_PROGRAM_POINTS_HEADS_H
 
-#include "base/number/text.h"
-#include "input/delimited/delimited.h"
 #include "program/points/points.h"
 
 /* The columns of a file of contact points, and of a list of pairs. */

@@ -7,8 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "base/number/text.h"
-#include "input/delimited/delimited.h"
 
 const char *result_name(result_kind kind) {
     return kind == RESULT_TABLE ? "table" : "certificate";

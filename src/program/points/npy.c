@@ -4,7 +4,7 @@
  * A row becomes a line of text with the same values, so that rows of all files are read in the same
  * way.
  */
-#include "program/points/points.h"
+#include "program/points/heads.h"
 
 #include <errno.h>
 #include <math.h>
@@ -14,9 +14,6 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "input/delimited/delimited.h"
-#include "program/io/io.h"
-#include "program/points/heads.h"
 
 /* Read bytes of the file; 0 on an error, or if the file ends before. */
 static int read_bytes(int fd, void *to, size_t length, size_t from, size_t *got) {

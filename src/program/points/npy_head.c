@@ -3,13 +3,10 @@
  *
  * Each key must be there once, in any order. Everything else is refused.
  */
-#include "program/points/points.h"
+#include "program/points/heads.h"
 
 #include <ctype.h>
 #include <string.h>
-#include "input/delimited/delimited.h"
-#include "program/io/io.h"
-#include "program/points/heads.h"
 
 enum { MAGIC = 6, VERSION = 2 };
 

@@ -1,14 +1,11 @@
 /* Finds time, point and cell among the names of a file of contact points, and reads cells
  * (src/program/cli/formats.md, Contact points). SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/points/points.h"
+#include "program/points/heads.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include "input/delimited/delimited.h"
 #include "output/report/columns.h"
-#include "program/io/io.h"
-#include "program/points/heads.h"
 
 static const char *const body_names[] = {"time", "bx", "by", "bz"};
 static const char *const world_names[] = {"time", "x", "y", "z"};

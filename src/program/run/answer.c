@@ -2,15 +2,10 @@
  * them and writes them into one text. A contact point is a site of the scene, and a row.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/run/run.h"
+#include "program/run/results.h"
 
 #include <string.h>
 #include "base/context/scope.h"
-#include "input/delimited/delimited.h"
-#include "output/table/table.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
-#include "program/run/results.h"
 
 void queue_add(queue *q, block *b) {
     if (q->first)

@@ -10,7 +10,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "base/context/scope.h"
-#include "program/io/io.h"
 
 /* A file beside the certificate: the content of another file in a form that graze-check reads.
  * Zeroed, there is none. */

@@ -4,13 +4,10 @@
  * Points come in blocks, which threads answer while the next ones are read and the last ones
  * written, in order. A failure leaves the whole rows before it and no `# complete` line.
  */
-#include "program/run/run.h"
+#include "program/run/results.h"
 
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
-#include "program/run/results.h"
 
 /* The number of blocks in memory: enough to keep all threads busy while one block is written. */
 static size_t ring_size(const classify_options *o) {

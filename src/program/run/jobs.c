@@ -4,16 +4,13 @@
  * Each thread has a context of its own and takes rows from one queue. Answers are stored with their
  * rows, so the output does not depend on the number of threads.
  */
-#include "program/run/run.h"
+#include "program/run/results.h"
 
 #include <pthread.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <time.h>
 #include <unistd.h>
-#include "program/io/io.h"
-#include "program/points/points.h"
-#include "program/run/results.h"
 
 typedef struct worker {
     jobs *shared;

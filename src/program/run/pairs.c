@@ -13,9 +13,6 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/json.h"
-#include "input/delimited/delimited.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
 
 typedef struct shelved {
     char *path;

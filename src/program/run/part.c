@@ -7,9 +7,6 @@
 #include <string.h>
 #include <sys/stat.h>
 #include "base/context/scope.h"
-#include "input/delimited/delimited.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
 
 /* The last lines are within this number of bytes of the end. */
 enum { TAIL = 512 };

@@ -7,9 +7,6 @@
 #include <stdio.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "base/number/text.h"
-#include "input/delimited/delimited.h"
-#include "program/io/io.h"
 
 /* A receipt has fewer than RECEIPT bytes; a hash has HASH bytes. */
 enum { RECEIPT = 1024, HASH = 32 };

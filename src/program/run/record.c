@@ -1,5 +1,5 @@
 /* Keeps the record of an unfinished run. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "program/run/run.h"
+#include "program/run/results.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -8,9 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "program/io/io.h"
-#include "program/points/points.h"
-#include "program/run/results.h"
 
 static const char first_words[] = "graze kept 1 ";
 enum { LINE_MOST = 256 };

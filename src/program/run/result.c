@@ -7,9 +7,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "base/context/scope.h"
-#include "input/delimited/delimited.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
 #include "program/run/results.h"
 
 /* PIECE bytes are read at a time; the notes at the end of a file have fewer than TAIL bytes. */

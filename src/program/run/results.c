@@ -1,19 +1,14 @@
 /* Writes the table and the certificate of a run.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/run/run.h"
+#include "program/run/results.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include "base/context/scope.h"
-#include "input/delimited/delimited.h"
 #include "output/report/columns.h"
-#include "output/table/table.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
-#include "program/run/results.h"
 
 void results_init(results *out, const classify_options *o, const loaded *l) {
     out->o = o;

@@ -7,9 +7,6 @@
 #ifndef GRAZE_PROGRAM_RUN_RESULTS_H
 #define GRAZE_PROGRAM_RUN_RESULTS_H
 
-#include "output/table/table.h"
-#include "program/io/io.h"
-#include "program/points/points.h"
 #include "program/run/run.h"
 
 /** Most rows that a run may have. */

@@ -11,14 +11,13 @@
  * The vertex is strictly between the ends of its edge, so that the surface is a manifold, without
  * degenerate faces, wherever the boundary passes.
  */
-#include "questions/boundary/boundary.h"
+#include "questions/boundary/sampling.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/context/team.h"
 #include "base/number/vector.h"
-#include "questions/boundary/sampling.h"
 
 /* An edge under bisection. */
 typedef struct bisection {

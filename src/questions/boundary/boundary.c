@@ -1,16 +1,13 @@
 /* Makes a boundary: the box, the contact points, the cells, the surface.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/boundary/boundary.h"
+#include "questions/boundary/sampling.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "input/solid/solid.h"
-#include "questions/boundary/sampling.h"
 
 /* Set the box: the caller's, or the scene's with a margin. */
 static graze_status set_box(struct graze_boundary *b, graze_context *context, const fmpq *low,

@@ -1,7 +1,7 @@
 /* Contact points, which lead to parts that are thinner than the lattice.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/boundary/boundary.h"
+#include "questions/boundary/sampling.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,6 @@
 #include "base/context/scope.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "questions/boundary/sampling.h"
 #include "questions/generate/generate.h"
 
 /* The place of a cell: the bits of its coordinates interleaved (Morton code), so that the places

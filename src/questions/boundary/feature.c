@@ -6,15 +6,13 @@
  * guess: it is taken if it is on and a point next to it is out; else a pair of points near it, one
  * out and one not, is looked for by bisection along the sum of the normals.
  */
-#include "questions/boundary/boundary.h"
+#include "questions/boundary/sampling.h"
 
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
-#include "base/number/doubles.h"
 #include "base/number/vector.h"
-#include "questions/boundary/sampling.h"
 
 /* Two unit normals of a feature have an inner product below EDGE_COSINE; a third one has at least
  * the sine CORNER_SINE against the plane of these two. */

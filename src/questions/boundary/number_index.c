@@ -1,11 +1,10 @@
 /* Finds keys by their hashes; different keys have different hashes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/boundary/boundary.h"
+#include "questions/boundary/sampling.h"
 
 #include <stdlib.h>
 #include "base/context/array.h"
-#include "questions/boundary/sampling.h"
 
 void number_index_clear(number_index *t) {
     free(t->key);

@@ -6,12 +6,11 @@
  * through all these points is near that of the boundary if the boundary is smooth there; results
  * built on it are verified.
  */
-#include "questions/boundary/boundary.h"
+#include "questions/boundary/sampling.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "questions/boundary/sampling.h"
 
 enum { BESIDE = 7, WITHIN = 5, PLACES = 21 };
 

@@ -7,12 +7,11 @@
  * of this level from a point that is out to one that is not has all its cells, and the surface has
  * no border inside the box.
  */
-#include "questions/boundary/boundary.h"
+#include "questions/boundary/sampling.h"
 
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "questions/boundary/sampling.h"
 
 static graze_status push_cell(graze_context *context, struct graze_boundary *b, size_t index) {
     TRY(array_grow(context, &b->work, &b->work_capacity, b->work_count + 1, sizeof *b->work,

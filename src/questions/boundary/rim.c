@@ -1,9 +1,6 @@
 /* Finds rims: the sides of faces that belong to one face of the patch only.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/boundary/boundary.h"
-
-#include "input/solid/solid.h"
 #include "questions/boundary/sampling.h"
 
 /* Directed edges: sides of the patch's faces while these are added, and in the end those of the rim

@@ -1,12 +1,11 @@
 /* Lattice points and cells, and the exact answers at points.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/boundary/boundary.h"
+#include "questions/boundary/sampling.h"
 
 #include "base/context/scope.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "questions/boundary/sampling.h"
 
 uint64_t lattice_key(const uint32_t at[3]) {
     return (uint64_t)at[0] | (uint64_t)at[1] << 21 | (uint64_t)at[2] << 42;

@@ -4,7 +4,6 @@
 #define GRAZE_QUESTIONS_BOUNDARY_SAMPLING_H
 
 #include <stdint.h>
-#include "base/context/slots.h"
 #include "questions/boundary/boundary.h"
 
 /* Numbers in the order in which they were added, found again by hashing. */

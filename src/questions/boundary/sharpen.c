@@ -17,7 +17,7 @@
  * In E^2 the segments of a patch are replaced by two: from its first vertex to the feature, and
  * from there to its last vertex.
  */
-#include "questions/boundary/boundary.h"
+#include "questions/boundary/sampling.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
@@ -26,8 +26,6 @@
 #include "base/context/scope.h"
 #include "base/context/team.h"
 #include "base/number/vector.h"
-#include "input/solid/solid.h"
-#include "questions/boundary/sampling.h"
 
 /* A patch that is replaced by a fan about its feature; fan k has feature k. */
 typedef struct fan {

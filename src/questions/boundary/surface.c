@@ -8,13 +8,10 @@
  * two triangles (d = 3), with `out` on their outer side. Here vertices are the middles of edges;
  * bisect.c moves them along the edges.
  */
-#include "questions/boundary/boundary.h"
+#include "questions/boundary/sampling.h"
 
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
-#include "questions/boundary/sampling.h"
 
 /* A simplex's corners; those that are out come last. */
 typedef struct corner_simplex {

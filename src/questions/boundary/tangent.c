@@ -6,19 +6,13 @@
  * edge, or a vertex). If P -> A P + b carries points to the solid's frame, a normal n in that frame
  * becomes A^T n.
  */
-#include "questions/boundary/boundary.h"
+#include "questions/boundary/sampling.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "decide/bounds/bounds.h"
-#include "decide/scene/scene.h"
-#include "decide/surfaces/surfaces.h"
 #include "decide/trace/trace.h"
-#include "input/motion/motion.h"
-#include "input/soup/soup.h"
-#include "questions/boundary/sampling.h"
 #include "questions/distance/distance.h"
 
 /* Set `out` to a facet's normal, twice as long as the area of its outer cycle: the sum of the cross

@@ -11,9 +11,6 @@
  */
 #include <math.h>
 #include <stdlib.h>
-#include "decide/trace/trace.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "questions/certify/prove.h"
 
 /* The range of M: outside of it, powers of M might leave the range of doubles. */

@@ -2,16 +2,10 @@
  * determinant have one strict sign. Cuts facets as graze-check cuts them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/certify/certify.h"
+#include "questions/certify/prove.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "base/number/bernstein.h"
-#include "decide/scene/scene.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/soup/soup.h"
-#include "questions/certify/prove.h"
 
 static int is_given(const unsigned char sha256[32]) {
     int given = 0;

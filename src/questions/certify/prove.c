@@ -6,9 +6,6 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/trace/trace.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "questions/certify/prove.h"
 
 enum { UNKNOWN = 2 };

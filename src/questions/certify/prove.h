@@ -3,12 +3,6 @@
 #ifndef GRAZE_QUESTIONS_CERTIFY_PROVE_H
 #define GRAZE_QUESTIONS_CERTIFY_PROVE_H
 
-#include "base/number/bernstein.h"
-#include "base/number/text.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "questions/certify/certify.h"
 
 /* A piece of a trajectory in doubles, and the simplices that it certainly does not touch. */

@@ -2,17 +2,12 @@
  * gaps between these until the checker's tests succeed.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/certify/certify.h"
+#include "questions/certify/prove.h"
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "decide/filter/filter.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "questions/certify/prove.h"
 
 enum { DEEPEST = 2000 };
 

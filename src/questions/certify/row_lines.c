@@ -4,8 +4,6 @@
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
 #include "questions/certify/prove.h"
 
 void row_lines_init(row_lines *l, text *out, const graze_trace *trace, const graze_motion *motion) {

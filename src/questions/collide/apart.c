@@ -1,7 +1,6 @@
 /* A separation is proved by the extents along a direction. Any vector may be tried, so directions
  * are chosen that separate often. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/bounds/bounds.h"
 #include "questions/collide/near_pairs.h"
 
 /* Bounds that keep products in the range of doubles. */

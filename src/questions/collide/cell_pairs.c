@@ -2,9 +2,7 @@
  * corners; each pair of cells that meet contains such a mean.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/soup/soup.h"
 #include "questions/collide/near_pairs.h"
 
 /** The sides that hold a point: three bits for the moving simplex, then three for the fixed one. */

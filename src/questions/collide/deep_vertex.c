@@ -5,7 +5,6 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "decide/filter/filter.h"
 #include "questions/collide/placing.h"
 
 /* Bounds of the number of vertices tried for each solid, and of the number of trajectories traced.

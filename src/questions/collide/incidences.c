@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <stdlib.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/simplest.h"

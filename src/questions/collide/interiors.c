@@ -3,7 +3,6 @@
  */
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "questions/collide/features.h"
 

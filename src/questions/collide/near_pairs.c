@@ -3,9 +3,7 @@
  */
 #include <math.h>
 #include <stdlib.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
-#include "base/number/doubles.h"
 #include "questions/collide/near_pairs.h"
 
 graze_status node_list_add(node_list *list, graze_context *context, node_pair item) {

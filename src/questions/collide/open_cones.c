@@ -5,7 +5,6 @@
  * each part is enough.
  */
 #include <stdlib.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "questions/collide/features.h"
 

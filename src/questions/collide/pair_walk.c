@@ -7,7 +7,6 @@
  */
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "questions/collide/near_pairs.h"
 

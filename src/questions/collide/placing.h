@@ -5,9 +5,6 @@
 
 #include "base/context/array.h"
 #include "base/context/slots.h"
-#include "base/number/algebraic.h"
-#include "base/number/bernstein.h"
-#include "input/validate/validate.h"
 #include "questions/collide/collide.h"
 
 /* A moving solid and a fixed one. */

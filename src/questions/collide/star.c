@@ -3,7 +3,6 @@
  */
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "questions/collide/placing.h"
 

@@ -1,16 +1,13 @@
 /* Stretches of an edge that are in contact: between the zeros of g of its two facets the signs do
  * not change. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/contact/contact.h"
+#include "questions/contact/nearby.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
-#include "questions/contact/nearby.h"
 
 /* The places that bound stretches are at most the two ends of the edge and, for each of two facets
  * and each side of the time, one zero of g. */

@@ -5,15 +5,12 @@
  * point is the foot of the given point in the simplex's plane, if the foot lies in the polygon,
  * else a point of the polygon's border.
  */
-#include "questions/contact/contact.h"
+#include "questions/contact/nearby.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
-#include "questions/contact/nearby.h"
 
 void nearby_init(nearby *n, const fmpq *from, int dimension) {
     n->dimension = dimension;

@@ -4,10 +4,6 @@
 #define GRAZE_QUESTIONS_CONTACT_NEARBY_H
 
 #include <flint/fmpq.h>
-#include "decide/scene/scene.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "questions/contact/contact.h"
 
 /* The point of a union of convex sets that is nearest to a given point, found set by set. */

@@ -15,9 +15,6 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/solid/solid.h"
-#include "input/soup/soup.h"
-#include "input/validate/validate.h"
 
 typedef struct place_finder {
     neighborhood *out;

@@ -2,22 +2,15 @@
  * the planes of the simplices next to the point.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/contact/contact.h"
+#include "questions/contact/nearby.h"
 
 #include <flint/fmpq.h>
 #include <flint/fmpz_vec.h>
-#include "base/context/context.h"
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "base/number/dyadic.h"
 #include "base/number/rounding.h"
-#include "decide/trace/trace.h"
-#include "graze/contact.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
-#include "questions/contact/nearby.h"
 #include "questions/topo/topo.h"
 
 /* The simplices whose boxes meet a box, and the smallest extent of these boxes. */

@@ -1,18 +1,14 @@
 /* Sites: place, sides, germs of the facets, trace, role.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/contact/contact.h"
+#include "questions/contact/nearby.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "input/motion/motion.h"
-#include "questions/contact/nearby.h"
 
 static void begin_site(graze_site *s, const graze_scene *scene, const fmpq_t t, const fmpq *y) {
     int d = scene->motion->dimension;

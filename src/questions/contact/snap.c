@@ -1,16 +1,11 @@
 /* Finds a cell by its name, and the
  * nearest point of the cell that is in contact. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/contact/contact.h"
+#include "questions/contact/nearby.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "decide/scene/scene.h"
-#include "input/solid/solid.h"
-#include "input/soup/soup.h"
-#include "input/validate/validate.h"
-#include "questions/contact/nearby.h"
 
 /* Is `cell` one of the input's names of the cell on which a simplex's side forms `zero` vanish? */
 static int has_name(const graze_solid *solid, size_t simplex, unsigned zero,

@@ -3,13 +3,10 @@
  * Times of contact are ordered and alternate with gaps of one state, so only the ends of gaps next
  * to t matter. Two of them, on either side, are compared by reflecting one at t.
  */
-#include "questions/contact/contact.h"
+#include "questions/contact/nearby.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
-#include "questions/contact/nearby.h"
 
 /* Set *out to the sign of (time - t), for a time of the trace. */
 static graze_status compare_to_site(int *out, graze_context *context, graze_time *time,

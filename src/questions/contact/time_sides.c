@@ -4,7 +4,7 @@
  * one rational function, as where a motion was cut, make no break.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/contact/contact.h"
+#include "questions/contact/nearby.h"
 
 #include <flint/fmpq_poly.h>
 #include <flint/fmpq_vec.h>
@@ -13,8 +13,6 @@
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/vector.h"
-#include "input/motion/motion.h"
-#include "questions/contact/nearby.h"
 
 static void set_side(site_side *side, const graze_motion *motion, size_t piece, const fmpq_t t) {
     side->present = 1;

@@ -1,10 +1,8 @@
 /* Bounds along a covector. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/distance/distance.h"
+#include "questions/distance/gap.h"
 
 #include <float.h>
 #include <math.h>
-#include "input/solid/solid.h"
-#include "questions/distance/gap.h"
 #include "questions/distance/time_search.h"
 
 /* A covector whose square is smaller, and so loses digits to underflow, proves no bound; nor does

@@ -1,18 +1,12 @@
 /* The maps are made under the lock of the scene's memo.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/distance/distance.h"
+#include "questions/distance/gap.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/bounds/bounds.h"
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "questions/distance/gap.h"
 
 /* 1 if the map keeps distances. */
 static int is_rigid(const point_map *map) {

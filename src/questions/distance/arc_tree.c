@@ -1,16 +1,11 @@
 /* An arc's box holds the images of the solid's box under the maps in Bernstein form.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/distance/distance.h"
+#include "questions/distance/gap.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "decide/bounds/bounds.h"
-#include "decide/scene/scene.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "questions/distance/gap.h"
 
 /* ERROR bounds the relative error of sums of coefficients: 2^-52 of each coefficient and a few
  * roundings. */

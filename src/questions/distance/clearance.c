@@ -6,10 +6,7 @@
 
 #include <math.h>
 #include "base/number/rounding.h"
-#include "decide/filter/filter.h"
 #include "decide/lattice/lattice.h"
-#include "decide/scene/scene.h"
-#include "input/solid/solid.h"
 
 /* Half widths of cubes are less than 2^SIZE_ABOVE times the size of the solid's box, and at least
  * 2^-SIZE_BELOW times. */

@@ -4,9 +4,6 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
 
 /* Squares of numbers between these bounds, and of much smaller ones, are in the range of doubles.
  */

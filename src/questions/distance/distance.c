@@ -2,18 +2,14 @@
  * over the visits to the solid's interior (for an unsweep, to its exterior).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/distance/distance.h"
+#include "questions/distance/gap.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "input/motion/motion.h"
-#include "questions/distance/gap.h"
 #include "questions/distance/time_search.h"
 
 /* Contacts' times are narrowed to this many binary places, beyond those of the shortest arc. */

@@ -1,12 +1,9 @@
 /* Nearest places of segments and triangles.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/distance/distance.h"
+#include "questions/distance/gap.h"
 
 #include <math.h>
-#include "decide/bounds/bounds.h"
-#include "input/solid/solid.h"
-#include "questions/distance/gap.h"
 #include "questions/distance/time_search.h"
 
 /* Squares with a smaller relative difference may be equal but for rounding. */

@@ -1,10 +1,8 @@
 /* Bounds from Bernstein coefficients, whose products are binomial means.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/distance/distance.h"
+#include "questions/distance/gap.h"
 
 #include <math.h>
-#include "decide/surfaces/surfaces.h"
-#include "questions/distance/gap.h"
 
 #define U UNIT_ROUNDING
 #define SLACK FILTER_SLACK

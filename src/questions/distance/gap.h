@@ -3,9 +3,6 @@
 #ifndef GRAZE_QUESTIONS_DISTANCE_GAP_H
 #define GRAZE_QUESTIONS_DISTANCE_GAP_H
 
-#include "decide/bounds/bounds.h"
-#include "decide/scene/scene.h"
-#include "input/solid/solid.h"
 #include "questions/distance/distance.h"
 
 /* Data of a scene for distances, beside its filter: the maps that place the solid, in doubles, and

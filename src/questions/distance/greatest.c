@@ -5,15 +5,12 @@
  * or put aside, the distance is at most s->high; at s->time the distance is at least s->low.
  * Nothing but the end of the rounds depends on the tolerance.
  */
-#include "questions/distance/distance.h"
+#include "questions/distance/gap.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
-#include "questions/distance/gap.h"
 #include "questions/distance/time_search.h"
 
 static const double SHORTEST = 0x1p-50;

@@ -1,14 +1,12 @@
 /* A distance reached in the arc that seems nearest rules out most of many arcs.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/distance/distance.h"
+#include "questions/distance/gap.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/solid/solid.h"
-#include "questions/distance/gap.h"
 #include "questions/distance/time_search.h"
 
 static int compare_pairs(const void *left, const void *right) {

@@ -1,11 +1,8 @@
 /* The distance at one instant: a descent of the solid's tree, the nearer child first.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/distance/distance.h"
+#include "questions/distance/gap.h"
 
 #include <math.h>
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
-#include "questions/distance/gap.h"
 #include "questions/distance/time_search.h"
 
 /* Room for the nodes to be entered: each level of the tree halves the number of simplices. */

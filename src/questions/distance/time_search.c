@@ -1,9 +1,8 @@
 /* Common parts of both searches. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/distance/distance.h"
+#include "questions/distance/time_search.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include "questions/distance/time_search.h"
 
 enum { MOST_VISITS = 1 << 22, VISIT_WORK = 64 };
 

@@ -3,8 +3,6 @@
 #ifndef GRAZE_QUESTIONS_DISTANCE_TIME_SEARCH_H
 #define GRAZE_QUESTIONS_DISTANCE_TIME_SEARCH_H
 
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "questions/distance/distance.h"
 
 /* Bounds of the distance to convex sets along a covector (proofs/distance.md C69). */

@@ -1,12 +1,9 @@
 /* Windows by blossoms of the whole arc's coefficients, so that errors do not grow with depth.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/distance/distance.h"
+#include "questions/distance/gap.h"
 
 #include <math.h>
-#include "decide/bounds/bounds.h"
-#include "input/solid/solid.h"
-#include "questions/distance/gap.h"
 
 #define U UNIT_ROUNDING
 

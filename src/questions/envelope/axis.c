@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "base/number/bernstein.h"
 #include "base/number/isolate.h"
 #include "questions/envelope/sign_events.h"
 

@@ -5,11 +5,8 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "input/soup/soup.h"
-#include "input/validate/validate.h"
 #include "questions/envelope/patch_ends.h"
 
 static graze_status no_room_for_cells(graze_context *context) {

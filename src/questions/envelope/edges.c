@@ -4,11 +4,9 @@
  */
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "base/number/vector.h"
-#include "input/validate/validate.h"
 #include "questions/envelope/patch_ends.h"
 
 /* A side of a simplex from vertex u to vertex v, u < v. */

@@ -8,7 +8,6 @@
  */
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "input/validate/validate.h"
 #include "questions/envelope/patch_ends.h"
 
 /* A facet at point k of a piece's axis or, if `before`, between points k - 1 and k: where signs of

@@ -2,11 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stddef.h>
 #include <stdlib.h>
-#include "base/context/array.h"
-#include "base/context/context.h"
 #include "base/context/scope.h"
-#include "graze/envelope.h"
-#include "input/soup/soup.h"
 #include "questions/envelope/sign_events.h"
 
 void events_init(event_list *list, const graze_motion *motion) {

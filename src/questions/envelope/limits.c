@@ -7,7 +7,6 @@
  * of g_u and g_v.
  */
 #include <stdlib.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "questions/envelope/patch_ends.h"
 

@@ -5,11 +5,8 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/soup/soup.h"
 #include "questions/envelope/patch_ends.h"
-#include "questions/envelope/sign_events.h"
 
 static int is_parameter(const graze_time *time, size_t piece, slong u) {
     return time->piece == piece && algebraic_is_rational(&time->u) &&

@@ -6,10 +6,8 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "input/validate/validate.h"
 #include "questions/envelope/patch_ends.h"
 
 /* A point in which a slice or run may end. */

@@ -4,9 +4,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/bounds/bounds.h"
 #include "questions/envelope/patch_ends.h"
 
 /* Functions for one kind of cell: one adds a cell's parts at a time, the other the moments at which

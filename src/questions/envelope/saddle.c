@@ -3,7 +3,6 @@
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "input/soup/soup.h"
 #include "questions/envelope/patch_ends.h"
 #include "questions/topo/topo.h"
 

@@ -3,7 +3,6 @@
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "base/number/random.h"
-#include "decide/bounds/bounds.h"
 #include "questions/envelope/patch_ends.h"
 
 /* Is a time strictly within its piece? */

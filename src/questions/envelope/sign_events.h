@@ -4,7 +4,6 @@
 #define GRAZE_QUESTIONS_ENVELOPE_SIGN_EVENTS_H
 
 #include "base/context/array.h"
-#include "base/number/algebraic.h"
 #include "questions/envelope/envelope.h"
 
 /* The derivatives of the trajectories through the points of the body, by polynomials of time.

@@ -7,7 +7,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "base/context/scope.h"
-#include "input/validate/validate.h"
 #include "questions/envelope/patch_ends.h"
 
 /* The polynomials of a singular_view: rows of g (negated), theta and the third derivative at the

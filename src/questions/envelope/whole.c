@@ -1,7 +1,6 @@
 /* Findings, and those at single times at which g vanishes on all of a facet.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/context/scope.h"
-#include "input/validate/validate.h"
 #include "questions/envelope/patch_ends.h"
 
 int judge_wants(const graze_envelope *e, graze_decomposable_reason reason) {

@@ -1,16 +1,12 @@
 /* Charts of surfaces, of intersections of two, and of points where the normal velocity is zero.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/generate.h"
+#include "questions/generate/charts.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/bounds/bounds.h"
-#include "input/csg/csg.h"
-#include "input/solid/solid.h"
-#include "questions/generate/charts.h"
 
 /* The most surfaces, pairs of surfaces, pairs of a line and a surface, and pairs of a surface and
  * an instant that are searched.

@@ -1,7 +1,7 @@
 /* Finds common zeros by factors and by remainders of division.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/generate.h"
+#include "questions/generate/charts.h"
 
 #include <flint/fmpq.h>
 #include <flint/fmpq_mpoly_factor.h>
@@ -10,8 +10,6 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "base/number/dyadic.h"
-#include "questions/generate/charts.h"
 
 /* Parameters of flats are drawn as multiples of 1/256 of the box's sides; lines through a zero of a
  * quadric have directions with components from -16 to 16. */

@@ -4,9 +4,6 @@
 #define GRAZE_QUESTIONS_GENERATE_CHARTS_H
 
 #include <flint/fmpq_mpoly.h>
-#include "base/context/context.h"
-#include "base/number/random.h"
-#include "input/csg/csg.h"
 #include "questions/generate/generate.h"
 
 /* Flats of space whose parameters are coordinates. */

@@ -2,7 +2,7 @@
  * contact then.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/generate.h"
+#include "questions/generate/charts.h"
 
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
@@ -11,12 +11,8 @@
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "decide/curved/curved.h"
-#include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "input/csg/csg.h"
-#include "input/motion/motion.h"
-#include "questions/generate/charts.h"
 #include "questions/generate/strata.h"
 
 /* One draw: a body point y, a time, and the solid near y. */

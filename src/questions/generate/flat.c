@@ -1,13 +1,12 @@
 /* Flats by parameters that are coordinates.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/generate.h"
+#include "questions/generate/charts.h"
 
 #include <flint/fmpq.h>
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "questions/generate/charts.h"
 
 void flat_init(flat *f, int dimension) {
     f->dimension = f->count = dimension;

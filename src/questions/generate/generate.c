@@ -1,16 +1,14 @@
 /* The generator: its times, its strata and their weights, the point of a row.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/generate.h"
+#include "questions/generate/charts.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "questions/generate/charts.h"
 #include "questions/generate/strata.h"
 
 /* INSTANTS is the number of times, at multiples of 2^-TIME_BITS of a piece; TRIES is the number of

@@ -1,13 +1,12 @@
 /* Names of strata, samples, and tests of the points and orders that a stratum takes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/generate.h"
+#include "questions/generate/strata.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_poly.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "questions/generate/strata.h"
 
 static const struct {
     const char *name;

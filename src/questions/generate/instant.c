@@ -1,15 +1,12 @@
 /* Point maps and their derivatives at one rational time.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/generate.h"
+#include "questions/generate/strata.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "input/motion/motion.h"
-#include "questions/generate/strata.h"
 
 /* The derivative of p of the given order at a / b, times a power of the denominator; b[n] is the
  * n-th power of it. */

@@ -2,19 +2,16 @@
  * see whether the displaced point lies in the decade.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/generate.h"
+#include "questions/generate/strata.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
-#include "base/number/dyadic.h"
 #include "base/number/rounding.h"
 #include "base/number/vector.h"
-#include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
 #include "questions/distance/distance.h"
-#include "questions/generate/strata.h"
 
 /* Lengths are 1 + 8 (j / 64)^2 times the power of ten; coordinates are multiples of a power of two
  * that is at most 2^-15 of the length; the enclosure of the distance is no wider than 2^-8 of the

@@ -1,13 +1,12 @@
 /* Finds rational zeros on lines: where the discriminant is a square.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/generate.h"
+#include "questions/generate/charts.h"
 
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "questions/generate/charts.h"
 
 /* NUMBERS of a quadratic's array; REACH_PLANE and REACH_SPACE, the largest components of directions
  * in two and three variables; places beside the centre lie on an axis at up to BESIDE eighths (1 /

@@ -1,5 +1,5 @@
 /* Rounds exact contacts to doubles on either side. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/generate/generate.h"
+#include "questions/generate/strata.h"
 
 #include <float.h>
 #include <math.h>
@@ -7,7 +7,6 @@
 #include "base/number/rounding.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "questions/generate/strata.h"
 
 /* Doubles on both sides of each coordinate of a point; low[i] equals high[i] for a coordinate that
  * stays as it is. */

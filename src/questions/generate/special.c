@@ -2,7 +2,7 @@
  * plane, by polynomials in time.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/generate.h"
+#include "questions/generate/strata.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_poly_factor.h>
@@ -10,12 +10,7 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
-#include "questions/generate/strata.h"
 
 /* The most pairs of a plane and a piece that are searched, and the most special instants that are
  * kept. */

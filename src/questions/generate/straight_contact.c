@@ -1,19 +1,13 @@
 /* Draws a point of a facet, an edge or a vertex, and a time.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/generate.h"
+#include "questions/generate/strata.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "decide/bounds/bounds.h"
 #include "decide/trace/trace.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/soup/soup.h"
-#include "input/validate/validate.h"
-#include "questions/generate/strata.h"
 
 /* Barycentric weights of points are multiples of 1/256. */
 enum { PARTS = 256 };

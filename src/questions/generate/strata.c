@@ -1,12 +1,11 @@
 /* One try at a point of each stratum. A try draws its numbers from the row's stream and may fail.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/generate.h"
+#include "questions/generate/charts.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "questions/generate/charts.h"
 #include "questions/generate/strata.h"
 
 /* Coordinates of random points are multiples of 2^-20 of the box's sides. Displacements are 2^-k, k

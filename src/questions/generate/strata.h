@@ -4,11 +4,6 @@
 #define GRAZE_QUESTIONS_GENERATE_STRATA_H
 
 #include <stddef.h>
-#include "base/number/random.h"
-#include "decide/scene/scene.h"
-#include "graze/generate.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "questions/generate/generate.h"
 
 /* One rational time of a motion with the data for making contacts at that time: where body points

@@ -1,13 +1,9 @@
 /* Proves in doubles that the normal velocity has one sign on a simplex (proofs/doubles.md C64).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/generate.h"
+#include "questions/generate/strata.h"
 
 #include <math.h>
-#include "decide/bounds/bounds.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
-#include "questions/generate/strata.h"
 
 /* A number and a bound for its error. */
 typedef struct approximate {

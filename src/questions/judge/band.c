@@ -1,7 +1,7 @@
 /* A cube is classified as a cell of a grid is (decide/lattice/lattice.h), then tested for being
  * flat. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/judge.h"
+#include "questions/judge/cube.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
@@ -10,11 +10,6 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/bounds/bounds.h"
-#include "decide/filter/filter.h"
-#include "decide/lattice/lattice.h"
-#include "decide/scene/scene.h"
-#include "questions/judge/cube.h"
 
 /* The relative rounding error of a computed distance is less than 2^-48. */
 static const double ROUND_UP = 1 + 0x1p-48, ROUND_DOWN = 1 - 0x1p-48;

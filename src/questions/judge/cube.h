@@ -5,12 +5,6 @@
 
 #include <flint/fmpq.h>
 #include <stdint.h>
-#include "base/context/context.h"
-#include "decide/bounds/bounds.h"
-#include "decide/lattice/lattice.h"
-#include "decide/scene/scene.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "questions/judge/judge.h"
 
 /* Cubes of space and what is certain of them. */

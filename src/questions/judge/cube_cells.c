@@ -1,7 +1,7 @@
 /* A cube is six tetrahedra; a plane cuts one in two at an edge that goes through it, until none
  * does. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/judge.h"
+#include "questions/judge/cube.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
@@ -9,7 +9,6 @@
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "base/number/vector.h"
-#include "questions/judge/cube.h"
 
 void cube_cells_init(cube_cells *c, graze_context *context) {
     *c = (cube_cells){.context = context, .plane = _fmpq_vec_init(4 * CUBE_PLANES)};

@@ -2,20 +2,12 @@
  * cell is inside or outside each position. A cell that no position covers gives the next time.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/judge.h"
+#include "questions/judge/cube.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/bounds/bounds.h"
-#include "decide/filter/filter.h"
-#include "decide/lattice/lattice.h"
-#include "decide/scene/scene.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
-#include "questions/judge/cube.h"
 
 /* Bound of the number of positions. */
 enum { POSITIONS = 8 };

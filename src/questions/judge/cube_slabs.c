@@ -1,7 +1,7 @@
 /* From the root down, cubes of the band are given slabs; those without one are cut.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/judge.h"
+#include "questions/judge/cube.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,11 +9,6 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/context/team.h"
-#include "base/number/doubles.h"
-#include "decide/bounds/bounds.h"
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
-#include "questions/judge/cube.h"
 #include "questions/judge/open_search.h"
 
 /* Shares of the width: the greatest radius of a cube that is given a slab, and the greatest

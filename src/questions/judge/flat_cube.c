@@ -1,18 +1,12 @@
 /* The planes of triangles cut a cube into cells; a point of each is asked of the mesh and of the
  * sweep. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/judge.h"
+#include "questions/judge/cube.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "decide/bounds/bounds.h"
-#include "decide/filter/filter.h"
-#include "decide/lattice/lattice.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
-#include "questions/judge/cube.h"
 #include "questions/judge/open_search.h"
 
 /* Bounds of the numbers of triangles in a cube and of their planes. */

@@ -1,17 +1,13 @@
 /* Finds the rule that gives a mesh an inside, and the volume of the mesh.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/judge.h"
+#include "questions/judge/open_search.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "input/solid/solid.h"
-#include "input/soup/soup.h"
-#include "input/validate/validate.h"
-#include "questions/judge/open_search.h"
 
 /* Add six times the signed volume of the tetrahedron of the origin and a triangle. */
 static void add_tetrahedron(fmpq_t sum, const skin *s, size_t simplex) {

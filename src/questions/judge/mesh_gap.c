@@ -1,13 +1,10 @@
 /* The nearest place of a triangle is a guess; weak duality makes it certain.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/judge.h"
+#include "questions/judge/cube.h"
 
 #include <math.h>
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "questions/distance/distance.h"
-#include "questions/judge/cube.h"
 
 typedef struct gap_search {
     const judged_mesh *mesh;

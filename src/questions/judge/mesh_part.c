@@ -1,13 +1,10 @@
 /* A node is cut into its children, a triangle through the middle of its longest side.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/judge.h"
+#include "questions/judge/cube.h"
 
 #include <math.h>
 #include <string.h>
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
-#include "questions/judge/cube.h"
 
 /* Bound of the error of a distance, over the error of each of three coordinates: above the root of
  * 3, with rounding. */

@@ -1,6 +1,6 @@
 /* A point is asked of its cube, else of the classification; then for its distance.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/judge/judge.h"
+#include "questions/judge/cube.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
@@ -10,7 +10,6 @@
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
 #include "questions/distance/distance.h"
-#include "questions/judge/cube.h"
 #include "questions/judge/open_search.h"
 
 /* The tolerance of a point's distance, as a share of the width wanted. */

@@ -3,8 +3,6 @@
 #ifndef GRAZE_QUESTIONS_JUDGE_OPEN_SEARCH_H
 #define GRAZE_QUESTIONS_JUDGE_OPEN_SEARCH_H
 
-#include "graze/judge.h"
-#include "input/solid/solid.h"
 #include "questions/judge/judge.h"
 
 /** The mesh's triangles as a skin, which borrows them. */

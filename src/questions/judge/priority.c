@@ -1,10 +1,9 @@
 /* A binary heap. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/judge/judge.h"
+#include "questions/judge/cube.h"
 
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "questions/judge/cube.h"
 
 static int comes_before(const waiting_part *a, const waiting_part *b) {
     return a->bound > b->bound || (a->bound == b->bound && a->number < b->number);

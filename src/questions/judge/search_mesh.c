@@ -4,15 +4,12 @@
  * Both distances are 1-Lipschitz, so the distance of a part's reference point plus the part's
  * radius bounds the distances in the part.
  */
-#include "questions/judge/judge.h"
+#include "questions/judge/cube.h"
 
 #include <math.h>
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/bounds/bounds.h"
-#include "input/solid/solid.h"
-#include "questions/judge/cube.h"
 #include "questions/judge/open_search.h"
 
 /* Shares of the width: the largest and the least half side of cubes that are preferred for cutting,

@@ -1,12 +1,10 @@
 /* The greatest distance of the sweep's boundary to the mesh, by branch and bound over cubes of the
  * band. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/judge.h"
+#include "questions/judge/cube.h"
 
 #include <string.h>
 #include "base/context/scope.h"
-#include "input/validate/validate.h"
-#include "questions/judge/cube.h"
 #include "questions/judge/open_search.h"
 
 /* Two points that bracket the boundary are sought around cubes with a radius of at most

@@ -1,15 +1,11 @@
 /* The three searches take turns in one band; the search whose enclosure is widest is next.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/judge.h"
+#include "questions/judge/cube.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
-#include "input/solid/solid.h"
-#include "questions/judge/cube.h"
 #include "questions/judge/open_search.h"
 
 /* The distance with the widest enclosure; GRAZE_JUDGED_COUNT if no search can go on. */

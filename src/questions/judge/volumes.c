@@ -1,16 +1,12 @@
 /* A cube that the mesh misses is inside or outside the mesh; other cubes are cut down to the width
  * wanted. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/judge.h"
+#include "questions/judge/cube.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/bounds/bounds.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
-#include "questions/judge/cube.h"
 #include "questions/judge/open_search.h"
 
 /* Bounds: of the doublings of the root until it holds the mesh, and of the levels of cubes. */

@@ -1,14 +1,11 @@
 /* Places from the crossings of a ray. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/judge/judge.h"
+#include "questions/judge/open_search.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/bounds/bounds.h"
-#include "input/solid/solid.h"
-#include "questions/judge/open_search.h"
 
 mesh_place judged_place(long *winding, const judged_mesh *m, const fmpq *point) {
     skin triangles = judged_skin(m);

@@ -5,8 +5,6 @@
 
 #include "decide/verdict/verdict.h"
 #include "questions/outline/arcs.h"
-#include "questions/outline/outline.h"
-#include "questions/outline/bracket.h"
 
 /** Make all pieces, and find those that are one point set (proofs/outline.md C137). */
 graze_status outline_pieces(graze_outline *o, graze_context *context);

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "decide/verdict/verdict.h"
 #include "questions/outline/arc_complex.h"
 
 /* The segment of all points whose coordinate along `axis` differs from that of `at` by at most

@@ -5,7 +5,6 @@
 
 #include <flint/fmpz_mpoly.h>
 #include <flint/fmpz_poly.h>
-#include "questions/outline/outline.h"
 #include "questions/outline/bracket.h"
 
 /* Variables of forms: two coordinates, and one that is eliminated. */

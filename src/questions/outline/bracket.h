@@ -5,7 +5,6 @@
 
 #include <flint/fmpq.h>
 #include <flint/fmpz_poly.h>
-#include "base/number/algebraic.h"
 #include "questions/outline/outline.h"
 
 /* A bracket holds a real number: low <= 2^places x <= high, where the caller keeps `places`.

@@ -5,7 +5,6 @@
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "questions/outline/arc_complex.h"
-#include "questions/outline/bracket.h"
 
 void measure_init(outline_measure *m) {
     m->is_exact = 1;

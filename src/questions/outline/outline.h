@@ -178,7 +178,7 @@ const outline_piece *outline_last_of(const graze_outline *o, const outline_arc *
 void outline_rational_bounds(fmpq_t low, fmpq_t high, const graze_outline *o,
                              const outline_measure *m);
 void outline_bounds(double *low, double *high, const graze_outline *o, const outline_measure *m);
-/** Make simple rings within a distance of the outline, nested as its own (proofs/outline.md C144).
+/** Make simple rings within a distance of the outline, nested as its own (proofs/outline.md C145).
  * The caller calls outline_polygon_clear in any case. GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM.
  */
 graze_status outline_polygon_make(outline_polygon *out, const graze_outline *o,

@@ -1,4 +1,4 @@
-/* Simple polygons of doubles near an outline (proofs/outline.md C144).
+/* Simple polygons of doubles near an outline (proofs/outline.md C145).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Coordinates are integers of at most 53 bits, in units of a power of 2, so that tests of edges are
@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "base/number/bernstein.h"
 #include "questions/outline/arc_complex.h"
 
 __extension__ typedef __int128 wide;

@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "decide/verdict/verdict.h"
 #include "questions/outline/arc_complex.h"
 
 /* Images of a box's corners in the solid's frame, two rationals each. */

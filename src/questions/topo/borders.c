@@ -4,7 +4,7 @@
  * More planes than needed do no harm, so the coordinate planes are added: then the planes meet in
  * rays.
  */
-#include "questions/topo/topo.h"
+#include "questions/topo/cover.h"
 
 #include <flint/fmpq.h>
 #include <flint/fmpq_vec.h>
@@ -14,7 +14,6 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "questions/topo/cover.h"
 
 void borders_init(borders *b, int dimension) {
     memset(b, 0, sizeof *b);

@@ -4,7 +4,7 @@
  * The point beside it lies on the ray, nearer than every facet's plane that does not pass through
  * the cone's point: up to there the state is constant.
  */
-#include "questions/topo/topo.h"
+#include "questions/topo/cover.h"
 
 #include <flint/fmpq.h>
 #include <flint/fmpq_vec.h>
@@ -14,8 +14,6 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/solid/solid.h"
-#include "questions/topo/cover.h"
 
 /* Does a facet in the plane contain the cone's point, which is in the plane? */
 static int plane_holds_point(const local_cone *cone, size_t plane) {

@@ -8,7 +8,6 @@
 #include <flint/fmpz_mpoly_factor.h>
 #include "base/context/scope.h"
 #include "base/number/modular.h"
-#include "questions/topo/cover.h"
 #include "questions/topo/eliminate.h"
 
 /* A curve is factored, in a tenth of a second, if its degree squared times the bits of its largest

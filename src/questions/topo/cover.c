@@ -1,11 +1,10 @@
 /* Cover of directions by the sides of germs and by the solid at the time.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/topo/topo.h"
+#include "questions/topo/cover.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "questions/topo/cover.h"
 
 /* Is u opposite to e: is u + s e along the cone's cell for some s > 0? For e = 0: is u along the
  * cell? The first plane that is not parallel to e gives s = -p / q. */

@@ -7,12 +7,6 @@
 #include <flint/fmpq_poly.h>
 #include <flint/fmpz_mpoly.h>
 #include <flint/fmpz_poly.h>
-#include "base/context/context.h"
-#include "base/number/algebraic.h"
-#include "decide/bounds/bounds.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
 #include "questions/topo/topo.h"
 
 /** Return 1 and set the state of the directions with these signs against the planes, if that state

@@ -8,11 +8,6 @@
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "decide/bounds/bounds.h"
-#include "decide/scene/scene.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "questions/topo/cover.h"
 #include "questions/topo/eliminate.h"
 
 /* Has a polynomial a root in [0, 1], the range of a piece's parameter? */

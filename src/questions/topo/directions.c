@@ -1,13 +1,11 @@
 /* Directions: vectors of integers up to a factor; their spans.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/topo/topo.h"
+#include "questions/topo/near.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "questions/topo/cover.h"
-#include "questions/topo/near.h"
 
 int directions_parallel(const fmpz *a, const fmpz *b) {
     LOCAL_VEC(fmpz, cross, 3);

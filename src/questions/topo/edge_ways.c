@@ -1,13 +1,11 @@
 /* Ways through pinches and along edges, by the directions around a leading direction or an edge.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/topo/topo.h"
+#include "questions/topo/near.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "questions/topo/cover.h"
-#include "questions/topo/near.h"
 
 /* Do the lines along e through `normal` and through its opposite both meet the cone's interior? */
 static graze_status look_to_both_sides(int *out, germ *g, graze_context *context,

@@ -10,7 +10,6 @@
 #include <flint/nmod_poly.h>
 #include <flint/ulong_extras.h>
 #include "base/context/scope.h"
-#include "questions/topo/cover.h"
 #include "questions/topo/eliminate.h"
 
 /* A resultant that takes at most this number of products of words is computed without polling. */

@@ -4,12 +4,7 @@
 #define GRAZE_QUESTIONS_TOPO_ELIMINATE_H
 
 #include <flint/fmpz_poly.h>
-#include "decide/bounds/bounds.h"
-#include "decide/scene/scene.h"
-#include "input/solid/solid.h"
-#include "questions/topo/cover.h"
 #include "questions/topo/near.h"
-#include "questions/topo/topo.h"
 
 /* Points outside the closed set that positions are relative to: witnesses of its boundary. */
 

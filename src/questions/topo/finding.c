@@ -1,19 +1,13 @@
 /* Results and the names of their levels; a hint by places at a few distances.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/topo/topo.h"
+#include "questions/topo/eliminate.h"
 
-#include "base/context/context.h"
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "input/solid/solid.h"
-#include "questions/topo/eliminate.h"
-#include "questions/topo/near.h"
 
 const char *graze_topo_name(graze_topo topo) {
     static const char *const name[] = {"none", "interior", "boundary", "exterior", "undecided"};

@@ -5,7 +5,7 @@
  * each interval between these that the trajectory spends on the boundary; at two more if the solid
  * turns during the interval.
  */
-#include "questions/topo/topo.h"
+#include "questions/topo/eliminate.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -13,14 +13,6 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "questions/topo/cover.h"
-#include "questions/topo/eliminate.h"
-#include "questions/topo/near.h"
 
 void germ_list_init(germ_list *list) {
     memset(list, 0, sizeof *list);

@@ -11,8 +11,6 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "input/motion/motion.h"
-#include "questions/topo/cover.h"
 #include "questions/topo/eliminate.h"
 
 void pullback_form_init(pullback_form *f) {

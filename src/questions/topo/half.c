@@ -1,14 +1,12 @@
 /* The half germs of facets that pass along a plane and of edges that pass in it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/topo/topo.h"
+#include "questions/topo/cover.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "decide/trace/trace.h"
-#include "questions/topo/cover.h"
 
 /* A plane of a cone as an affine function value + r . place of places about the point, expanded in
  * powers of the time since the contact: of r the coefficients r0 and r1 are kept, of `value` two

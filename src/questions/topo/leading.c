@@ -5,15 +5,10 @@
  * if each cell is covered with a neighbourhood, or all full cells around it lie in exact closed
  * cones.
  */
-#include "questions/topo/topo.h"
+#include "questions/topo/eliminate.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "input/solid/solid.h"
-#include "questions/topo/cover.h"
-#include "questions/topo/eliminate.h"
-#include "questions/topo/near.h"
 
 /* Kinds of evidence for `interior`: open cones; exact closed cones too; ways along edges too. */
 enum { BY_FIRST_ORDER, BY_CLOSED_CONES, BY_EDGES, BY_COUNT };

@@ -12,17 +12,12 @@
  * sectors. A sector is connected and misses the closed sweep's boundary, so it lies in the interior
  * or in the exterior; every smaller square meets the same sectors (proofs/topology.md C49).
  */
-#include "questions/topo/topo.h"
+#include "questions/topo/eliminate.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "decide/scene/scene.h"
-#include "decide/surfaces/surfaces.h"
-#include "questions/topo/cover.h"
-#include "questions/topo/eliminate.h"
-#include "questions/topo/near.h"
 
 /* Invariant (proofs/topology.md C48), with P at the origin and r = 2^-places: in the square |x|,
  * |y| <= r the curves of the list that this was made of have no zeros but those of `through`. The

@@ -4,14 +4,7 @@
 #define GRAZE_QUESTIONS_TOPO_NEAR_H
 
 #include <flint/fmpq.h>
-#include "base/number/algebraic.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
-#include "graze/topo.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
 #include "questions/topo/cover.h"
-#include "questions/topo/topo.h"
 
 void finding_set(topo_finding *f, graze_topo position, graze_topo_level level);
 void finding_undecided(topo_finding *f, const char *reason);

@@ -11,7 +11,6 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "questions/topo/cover.h"
 #include "questions/topo/eliminate.h"
 
 void plane_view_init(plane_view *view) {

@@ -13,14 +13,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "decide/bounds/bounds.h"
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
-#include "questions/topo/cover.h"
 #include "questions/topo/near.h"
 
 /* A solid with more than FEW_FACETS facets is given a first reach that is 2^-NEARER_PLACES times as

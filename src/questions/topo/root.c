@@ -4,7 +4,7 @@
  * A number of the field Q(time) is a polynomial modulo the minimal polynomial. Several numbers are
  * rational up to a common factor if their residues are rational multiples of one residue.
  */
-#include "questions/topo/topo.h"
+#include "questions/topo/eliminate.h"
 
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_poly.h>
@@ -12,9 +12,6 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "questions/topo/cover.h"
-#include "questions/topo/eliminate.h"
-#include "questions/topo/near.h"
 
 /* Polynomials of a larger degree are not factored. */
 enum { FACTORED_DEGREE = 60 };

@@ -10,15 +10,13 @@
  * larger m is the larger one. A gap of order m lies between terms of order m; terms of smaller
  * orders count as 0.
  */
-#include "questions/topo/topo.h"
+#include "questions/topo/near.h"
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "questions/topo/cover.h"
-#include "questions/topo/near.h"
 
 /* A chart of the directions of the plane with the basis h, k: the parameter b in [-1, 1] stands
  * for h + b k, with `swapped` for b h + k; with `opposite` for the negative of these. Four charts

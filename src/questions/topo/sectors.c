@@ -4,12 +4,11 @@
  * A germ's cover changes only at rays of its arrangement (proofs/topology.md C46). Successive rays
  * are less than half a turn apart, so their sum lies between them.
  */
-#include "questions/topo/topo.h"
+#include "questions/topo/cover.h"
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "questions/topo/cover.h"
 
 void sectors_clear(sector_list *list) {
     if (list->ray)

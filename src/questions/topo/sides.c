@@ -1,15 +1,12 @@
 /* Leading directions from the coefficients of a trajectory.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/topo/topo.h"
+#include "questions/topo/cover.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
-#include "questions/topo/cover.h"
 
 /* Are two polynomials multiples of one another (0 is a multiple of every polynomial)? */
 static int are_proportional(const fmpz_poly_t p, const fmpz_poly_t q) {

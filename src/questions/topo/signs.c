@@ -4,14 +4,12 @@
  * Each cell of the arrangement of a cone's planes has a rational direction. Once the states of
  * these directions have been asked, the state of each vector of signs is known.
  */
-#include "questions/topo/topo.h"
+#include "questions/topo/cover.h"
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "input/motion/motion.h"
-#include "questions/topo/cover.h"
 
 void signs_pull_back_normal(fmpz_poly_struct *out, const point_map *map, const fmpz *normal) {
     int d = map->dimension;

@@ -8,20 +8,11 @@
  * A path in a plane has the coordinates x = s^m, y = s^(m + 1) p / q. A curve's polynomial along
  * the path is a polynomial in s; below its first positive root the path does not meet the curve.
  */
-#include "questions/topo/topo.h"
+#include "questions/topo/eliminate.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "decide/bounds/bounds.h"
-#include "decide/scene/scene.h"
-#include "decide/surfaces/surfaces.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "questions/topo/cover.h"
-#include "questions/topo/eliminate.h"
-#include "questions/topo/near.h"
 
 /* Add a normal's coefficients of all powers of time: the common kernel of all normals, which are
  * functions of time, is the kernel of all their coefficients. */

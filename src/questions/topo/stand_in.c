@@ -5,8 +5,6 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "decide/trace/trace.h"
-#include "input/solid/solid.h"
 #include "questions/topo/near.h"
 
 /* The first attempt narrows the time to an interval of width about 2^-FIRST_PLACES; each further

@@ -1,14 +1,8 @@
 /* The levels in their order. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/topo/topo.h"
+#include "questions/topo/eliminate.h"
 
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
-#include "input/solid/solid.h"
-#include "questions/topo/cover.h"
-#include "questions/topo/eliminate.h"
-#include "questions/topo/near.h"
 
 /* Data shared by all points of a scene: the planes of its facets and, once needed, its curves. */
 typedef struct scene_shares {
