@@ -43,6 +43,8 @@ UNREACHED = {
     "is not the file that was validated": "needs a receipt of this version; tests/shards reaches it",
     "the box along axis": "the command line makes numbers in lowest terms; tests/api reaches it",
     "cannot be waited for": "the system refuses to poll",
+    "is empty; expected a file": "stands in a row of the table; collide-list-rows quotes it",
+    "inside: %.*s: expected yes or no": "stands in a row of the table; collide-list-rows quotes it",
     "a rank cannot begin": "needs a machine that lacks a file which another one has",
     "MPI cannot begin": "the system refuses a pipe",
     "PNG and PDF pictures need ": "tests/draw hides the library",

@@ -33,9 +33,10 @@ static int write_arcs(const char *path, graze_context *context, const graze_outl
 /* The endings of files of polygons, in the order of graze_polygon_format. */
 static const char *const polygon_endings[] = {".wkt", ".geojson", ".svg", ".vtk"};
 
+/* Standard output without an ending takes the first. */
 static int polygon_format(const char *path) {
     int k = 0;
-    while (k < 4 && !path_has_extension(path, polygon_endings[k]))
+    while (strcmp(path, "-") != 0 && k < 4 && !path_has_extension(path, polygon_endings[k]))
         k++;
     return k;
 }
