@@ -187,13 +187,13 @@ static graze_status measure_row(disagreement *d, graze_comparison *c, graze_cont
     LOCAL_VEC(fmpq, bounds, 2);
     HELD(text, all);
     distance found;
+    graze_pmc pmc = GRAZE_PMC_NONE;
     for (slong k = 0; k < dimension; k++) {
         size_t length = strcspn(point, " ");
         TRY(rational_parse(at + k, context, point, length));
         point += length + (point[length] == ' ');
     }
-    TRY(distance_at(&found, &(graze_pmc){0}, context, scene, at,
-                    DEPTH_WIDTH * fmpq_get_d(c->depth.size)));
+    TRY(distance_at(&found, &pmc, context, scene, at, DEPTH_WIDTH * fmpq_get_d(c->depth.size)));
     TRY(rational_from_double(bounds, context, found.low));
     TRY(rational_from_double(bounds + 1, context, found.high));
     TRY(count_depth(&d->depth, &c->depth, context, d->pmc, bounds, bounds + 1));

@@ -52,9 +52,10 @@ static void plane_ways_init(plane_ways *w, const germ *g, size_t j, slong order,
     distance_from_plane(p, &g->cone, j, &path);
     fmpz_mul(scale, place + 3, g->cone.at + 3);
     expand_at(w->value, p, scale, &g->time, order);
+    const fmpz one = 1;
     signs_pull_back_normal(p, g->map, g->cone.normal + 3 * j);
     for (int i = 0; i < 3; i++) {
-        expand_at(part, p + i, &(fmpz){1}, &g->time, 0);
+        expand_at(part, p + i, &one, &g->time, 0);
         for (int k = 0; k < 2; k++)
             fmpq_swap(w->normal[k] + i, part + k);
     }
