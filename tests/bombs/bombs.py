@@ -350,7 +350,7 @@ def tables():
 
 OPERANDS = {"SOLID": "solid", "MOTION": "motion", "MOVING": "solid", "FIXED": "solid", "POINTS": "points", "X": "points", "GOLDEN": "tables", "CANDIDATE": "tables",
             "PART...": "parts", "CONTACTS": "points", "KIND": "options", "{solid}": "solid", "{motion}": "motion"}
-NO_NUMBER = {"NAME=COLUMN,...", "MACHINE", "FILE", "FILE,", "DIR", "CMD", "NAME", "NAME=V", "NAME=V,", "NAME=W,...", "TEXT", "FOLDER", "FILE.off", "SOLID", "MOTION"}
+NO_NUMBER = {"NAME=COLUMN,...", "MACHINE", "FILE", "FILE,", "DIR", "CMD", "NAME", "NAME=V", "NAME=V,", "NAME=W,...", "TEXT", "FOLDER", "FILE.off", "SOLID", "MOTION", "PAIRS.csv"}
 
 
 def numeric_options(text):
