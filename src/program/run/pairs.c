@@ -198,6 +198,16 @@ static void put_listed(text *out, const answerer *a, const char *answer, const f
     text_format(out, answer ? ",%s" : "}\n", answer ? answer + 1 : "");
 }
 
+/* Does a fault tell that memory ran short, which ends the run? A file that cannot be read does not.
+ */
+static int is_short_of_memory(const fault *f) {
+    static const char *const said[] = {"out of memory", "no memory", "memory ran out"};
+    for (size_t k = 0; f->message && k < sizeof said / sizeof *said; k++)
+        if (strstr(f->message, said[k]))
+            return f->status == EXIT_IO;
+    return f->status == EXIT_IO && !f->message;
+}
+
 void answer_pair(answerer *a, row_run *r, const block *b, size_t first) {
     unsigned long number = shard_place(a->task.source.part, b->before + first) + 1;
     int object = a->task.rows->format == GRAZE_FORMAT_JSONL;
@@ -212,7 +222,7 @@ void answer_pair(answerer *a, row_run *r, const block *b, size_t first) {
     if (!status && (object ? graze_pair_json : graze_pair_fields)(&answer, a->context, pair))
         status = fault_set(&f, EXIT_IO, "out of memory");
     int meets = !status && pair_meets(a->task.pairs, pair);
-    int memory = status == EXIT_IO && (!f.message || strstr(f.message, "out of memory"));
+    int memory = is_short_of_memory(&f);
     if (status != EXIT_SIGNAL && !memory)
         put_listed(&row, a, answer, &f, status ? status : meets, number);
     if (status == EXIT_SIGNAL || memory || row.failed) {
