@@ -12,9 +12,14 @@ import math
 import os
 import re
 import xml.dom.minidom
+from itertools import product
 
 from byhand import SCENES
+from exact import Fraction as F
 from outlines import Checks, Program, middle, options
+
+from motion import build, rotation  # noqa: E402
+from solids import Polygon, ring  # noqa: E402
 
 try:
     import shapely.wkt as wkt
@@ -90,7 +95,33 @@ def forms(checks, program):
         checks.equal(corners[ending], corners["wkt"], ending)
 
 
+def side(a, b, c):
+    """The sign of the turn from b to c about a, exactly."""
+    (ax, ay), (bx, by), (cx, cy) = ([F(x) for x in p] for p in (a, b, c))
+    turn = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+    return (turn > 0) - (turn < 0)
+
+
+def apart(checks, program):
+    """Two bars turn by a quarter about the origin: the corners of one are at least 10 away, those of the other less than 9.9, and its arc lies under the
+    chords of the first one's. So chords within 1 or 5 of the arcs would cross, and are halved until they do not: no edge meets another ring."""
+    for near in (5, 1):
+        code, text, _ = polygon(program, "bars", BARS, QUARTER, near, False)
+        if not checks.equal(code, 0, "bars", near, text):
+            continue
+        polygons = rings_of(text)
+        checks.equal([len(p) for p in polygons], [1, 1], "bars", near, "polygons")
+        edges = [list(zip(r, r[1:])) for (r,) in polygons]
+        for (a, b), (c, d) in product(*edges):
+            checks.holds(side(a, b, c) * side(a, b, d) > 0 or side(c, d, a) * side(c, d, b) > 0, "bars", near, "edges that meet", a, b, c, d)
+        checks.holds(max(math.hypot(*p) for p in polygons[1][0]) < 9.9, "bars", near, "the inner polygon")
+        checks.holds(min(math.hypot(*p) for p in polygons[0][0]) > 9.99, "bars", near, "the outer polygon")
+
+
 FORM = SCENES[0].name
+BARS = Polygon([[ring((10, 0), (F(101, 10), 0), (F(101, 10), F(1, 20)), (10, F(1, 20)))],
+                [ring((F(32, 5), F(32, 5)), (7, 7), (F(139, 20), F(141, 20)), (F(127, 20), F(129, 20)))]])
+QUARTER = build([(0, 1, rotation([0, 1]))])
 
 
 def main():
@@ -101,6 +132,7 @@ def main():
         if args.only in scene.name:
             check(checks, program, scene)
     forms(checks, program)
+    apart(checks, program)
     checks.finish()
 
 
