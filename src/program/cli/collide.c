@@ -82,7 +82,8 @@ static int print_pair(const classify_options *o, char *const file[3]) {
                                                  : graze_pair_text(&written, context, pair),
                     context));
     TRY(output_text(o->output, written));
-    return pair_meets(o, pair) ? EXIT_NO : EXIT_DONE;
+    int asks = asked->options.closest == 0 || asked->clearance; /* for more than a distance */
+    return asks && pair_meets(o, pair) ? EXIT_NO : EXIT_DONE;
 }
 
 static int run_collide(void *options, const operands *given) {

@@ -105,7 +105,6 @@ static graze_status narrow_distance(graze_closest *c, approach *a, double size, 
 /* Carry a point of the fixed solid's space to the world's. */
 static void carry_to_world(fmpq *point, const graze_motion *motion, const approach *a,
                            const graze_motion *frame) {
-    int d = motion->dimension;
     size_t k = 0;
     LOCAL_VEC(fmpq, map, POINT_MAP_ENTRIES);
     LOCAL_VEC(fmpq, image, 3);
@@ -117,11 +116,8 @@ static void carry_to_world(fmpq *point, const graze_motion *motion, const approa
         k++;
     motion_parameter_at(t, &frame->piece[k], t);
     point_map_at(map, &frame->piece[k].forward, t);
-    for (int i = 0; i < d; i++) {
-        _fmpq_vec_dot(image + i, map + (ptrdiff_t)i * (d + 1), point, d);
-        fmpq_add(image + i, image + i, map + (ptrdiff_t)i * (d + 1) + d);
-    }
-    for (int i = 0; i < d; i++)
+    affine_image(image, map, point, motion->dimension);
+    for (int i = 0; i < 3; i++)
         fmpq_swap(point + i, image + i);
 }
 

@@ -125,7 +125,9 @@ static int is_fine(const outline_polygon *p, const polygon_edge *e) {
         for (slong k = 0; k < 2; k++) {
             fmpq_set_fmpz_frac(x, b + k * size + i, weight);
             fmpq_mul_2exp(x, x, p->places);
-            fmpq_set_si(x + 1, end[backward][k] * (n - i) + end[!backward][k] * i, (ulong)n);
+            fmpq_set_si(x + 1, end[!backward][k] - end[backward][k], (ulong)n);
+            fmpq_mul_si(x + 1, x + 1, i);
+            fmpq_add_si(x + 1, x + 1, end[backward][k]);
             fmpq_sub(x, x, x + 1);
             fmpq_addmul(x + 2, x, x);
         }
@@ -203,10 +205,10 @@ static graze_status find_meetings(int *clear, outline_polygon *p) {
     return GRAZE_OK;
 }
 
-/* Is ring r, by the middle of an edge, within ring s, which does not pass that? */
-static int ring_has(const outline_polygon *p, size_t s, size_t r) {
+/* Is the middle of an edge within ring s, which does not pass it? */
+static int ring_has(const outline_polygon *p, size_t s, size_t edge) {
     size_t first = p->first[s], k = first;
-    const polygon_edge *from = &p->edge[p->first[r]], *to = &p->edge[from->next];
+    const polygon_edge *from = &p->edge[edge], *to = &p->edge[from->next];
     const slong x[2] = {from->at[0] + to->at[0], from->at[1] + to->at[1]};
     int inside = 0;
     do {
@@ -218,22 +220,42 @@ static int ring_has(const outline_polygon *p, size_t s, size_t r) {
     return inside;
 }
 
-/* Are holes in their own rings, with no ring between, and other rings in holes alone? */
+/* Count the rings around ring r, and mark them. Where it passes corners of other rings, each of its
+ * parts between these must be within the same rings: else it crosses one there. */
+static graze_status find_rings_around(int *out, size_t *depth, char *around,
+                                      const outline_polygon *p, size_t r, const size_t *rings_at) {
+    const size_t *arc = p->o->ring_arc + p->o->ring[r].first;
+    for (size_t i = 0; i < p->o->ring[r].count; i++)
+        for (size_t s = 0; s < p->o->ring_count && (i == 0 || rings_at[p->o->arc[arc[i]].from] > 1);
+             s++) {
+            char within = s != r && ring_has(p, s, arc[i]);
+            *depth += i == 0 && within;
+            *out = *out && (i == 0 || within == around[s]);
+            around[s] = within;
+            TRY(context_work(p->context, 1000));
+        }
+    return GRAZE_OK;
+}
+
+/* Are holes in their own rings, with no ring between, and other rings in holes alone, and does no
+ * ring cross another at a corner? */
 static graze_status check_nesting(int *out, const outline_polygon *p) {
     const graze_outline *o = p->o;
     FREED(size_t, depth, calloc(o->ring_count + 1, sizeof *depth));
-    if (!depth)
+    FREED(size_t, rings_at, calloc(o->point_count + 1, sizeof *rings_at));
+    FREED(char, around, calloc(o->ring_count + 1, 2));
+    if (!depth || !rings_at || !around)
         return context_fail(p->context, GRAZE_ESYSTEM, "out of memory for a polygon");
-    for (size_t r = 0; r < o->ring_count; r++)
-        for (size_t s = 0; s < o->ring_count; s++) {
-            depth[r] += s != r && ring_has(p, s, r);
-            TRY(context_work(p->context, 1000));
-        }
+    char *in_own = around + o->ring_count;
+    for (size_t k = 0; k < o->arc_count; k++)
+        rings_at[o->arc[k].from]++;
     for (size_t r = 0; r < o->ring_count; r++) {
-        size_t around = o->ring[r].within;
-        *out = *out && (o->ring[r].hole ? depth[r] == depth[around] + 1 && ring_has(p, around, r)
-                                        : depth[r] % 2 == 0);
+        TRY(find_rings_around(out, &depth[r], around, p, r, rings_at));
+        in_own[r] = around[o->ring[r].within];
     }
+    for (size_t r = 0; r < o->ring_count; r++)
+        *out = *out && (o->ring[r].hole ? depth[r] == depth[o->ring[r].within] + 1 && in_own[r]
+                                        : depth[r] % 2 == 0);
     return GRAZE_OK;
 }
 
