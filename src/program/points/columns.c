@@ -108,17 +108,20 @@ static int needs_quotes(char separator, field one) {
     return separator == ';' && memchr(one.start, ',', one.length) && *bare.start != '"';
 }
 
-void columns_put_field(text *out, const columns *c, field one) {
-    if (!one.length || !needs_quotes(c->separator, one)) {
-        text_bytes(out, one.start, one.length);
-        return;
-    }
+void put_quoted(text *out, field one) {
     text_put(out, "\"");
     for (size_t k = 0; k < one.length; k++) {
         text_put(out, one.start[k] == '"' ? "\"" : "");
         text_bytes(out, one.start + k, 1);
     }
     text_put(out, "\"");
+}
+
+void columns_put_field(text *out, const columns *c, field one) {
+    if (one.length && needs_quotes(c->separator, one))
+        put_quoted(out, one);
+    else
+        text_bytes(out, one.start, one.length);
 }
 
 /* Append the fields of a line that are carried along, comma-joined; if `numbered`, in place of each

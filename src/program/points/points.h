@@ -160,6 +160,8 @@ void reader_clear(reader *r);
  */
 char *columns_free_names(const columns *c, field own);
 
+/** Append a field in quotes, in which quotes are doubled. */
+void put_quoted(text *out, field one);
 /** Append a field of the file as a field of a table, whose separator is the comma. */
 void columns_put_field(text *out, const columns *c, field one);
 

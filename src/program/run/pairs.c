@@ -154,14 +154,6 @@ static int answer_row(graze_pair **out, fault *f, const answerer *a) {
     return pair_decide(out, f, a->context, &q);
 }
 
-/* Append a text of one line in quotes, in which quotes are doubled. */
-static void put_quoted(text *out, const char *string) {
-    text_put(out, "\"");
-    for (; *string; string++)
-        text_bytes(out, *string == '"' ? "\"\"" : string, *string == '"' ? 2 : 1);
-    text_put(out, "\"");
-}
-
 /* Append a row of the table, or an object. `answer` is NULL where the row has a fault; `status` is
  * the exit status of graze collide. */
 static void put_listed(text *out, const answerer *a, const char *answer, const fault *f, int status,
@@ -185,7 +177,7 @@ static void put_listed(text *out, const answerer *a, const char *answer, const f
             text_format(out, ",%s", a->reader.rest.data);
         text_format(out, ",%s,%d,", answer ? answer : first ? ",,,,," : ",,,,", status);
         if (!answer)
-            put_quoted(out, f->message);
+            put_quoted(out, (field){f->message, strlen(f->message)});
         text_put(out, "\n");
         return;
     }
