@@ -223,8 +223,6 @@ static graze_status add_envelope(graze_outline *o, graze_context *context, const
     for (int k = 0; k < 3; k++) /* `total` follows `reduced` */
         fmpz_poly_mul(p, p, e->reduced + k);
     TRY(append_roots_in_piece(&list, context, p));
-    for (size_t k = 0; k < list.count; k++)
-        number_reduce(&list.item[k]);
     for (size_t k = 0; k + 1 < list.count; k++) {
         TRY(algebraic_between(middle, context, &list.item[k], &list.item[k + 1]));
         if (is_in_edge(e, middle))

@@ -24,6 +24,10 @@ graze_status points_equal(int *out, graze_outline *o, graze_context *context, ou
 
 /** The cuts at the ends of a piece. */
 algebraic *piece_end(const graze_outline *o, const outline_piece *p, int end);
+/** Is a piece boundary or a lower part? */
+static inline int piece_has_ends(const outline_piece *p) {
+    return p->turn || p->lower == 1;
+}
 /** A rational parameter within a piece. */
 graze_status piece_middle(fmpq_t s, graze_context *context, const graze_outline *o,
                           const outline_piece *p);

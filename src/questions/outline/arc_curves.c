@@ -160,6 +160,11 @@ enum { END_PLACES = 80 };
 static graze_status box_add_place(box *out, graze_context *context, outline_curve *c,
                                   algebraic *s) {
     LOCAL_VEC(fmpq, corner, 4);
+    if (!c->slant && algebraic_is_rational(s)) {
+        outline_curve_at(corner, c, s->value);
+        box_add_point(out, corner);
+        return GRAZE_OK;
+    }
     TRY(outline_curve_corners(corner, context, c, s, END_PLACES));
     box_add_point(out, corner);
     box_add_point(out, corner + 2);
@@ -196,12 +201,16 @@ static graze_status box_of_part(box *out, graze_context *context, outline_curve 
     return GRAZE_OK;
 }
 
+graze_status outline_place_box(box *out, graze_context *context, outline_curve *c, algebraic *s) {
+    box_empty(out);
+    return box_add_place(out, context, c, s);
+}
+
 graze_status outline_curve_box(box *out, graze_context *context, outline_curve *c, algebraic *from,
                                algebraic *to) {
     enum { HALVINGS = 10 };
-    box_empty(out);
     if (!c->slant && outline_curve_degree(c) > 1)
         return box_of_part(out, context, c, from, to, HALVINGS);
-    TRY(box_add_place(out, context, c, from)); /* straight and without turns */
+    TRY(outline_place_box(out, context, c, from)); /* straight and without turns */
     return box_add_place(out, context, c, to);
 }

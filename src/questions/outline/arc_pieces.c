@@ -70,6 +70,14 @@ graze_status outline_side(int *out, const graze_outline *o, graze_context *conte
 static graze_status append_arc_piece(graze_outline *o, graze_context *context, size_t curve,
                                      size_t cut) {
     outline_curve *c = &o->curve[curve];
+    box around;
+    TRY(outline_curve_box(&around, context, c, c->cut[cut], c->cut[cut + 1]));
+    for (int k = 0; k < 2; k++) {
+        around.low[k] = fmax(around.low[k], c->box.low[k]);
+        around.high[k] = fmin(around.high[k], c->box.high[k]);
+    }
+    if (outline_covers(o, &around, c->piece))
+        return context_work(context, 10000);
     TRY(array_grow(context, &o->piece, &o->piece_capacity, o->piece_count + 1, sizeof *o->piece,
                    "the pieces of an outline"));
     outline_piece *p = &o->piece[o->piece_count];
@@ -80,11 +88,7 @@ static graze_status append_arc_piece(graze_outline *o, graze_context *context, s
     p->next_same = OUTLINE_NONE;
     for (int k = 0; k < 4; k++)
         fmpq_init(&p->sample[k]);
-    TRY(outline_curve_box(&p->box, context, c, c->cut[cut], c->cut[cut + 1]));
-    for (int k = 0; k < 2; k++) {
-        p->box.low[k] = fmax(p->box.low[k], c->box.low[k]);
-        p->box.high[k] = fmin(p->box.high[k], c->box.high[k]);
-    }
+    p->box = around;
     return context_work(context, 10000);
 }
 

@@ -30,10 +30,6 @@ void outline_point_clear(outline_point *p) {
     }
 }
 
-static int has_ends(const outline_piece *p) {
-    return p->turn || p->lower == 1;
-}
-
 /* Append the point at an end of a piece. */
 static graze_status append_point(graze_outline *o, graze_context *context, outline_piece *p,
                                  int end) {
@@ -103,10 +99,9 @@ static graze_status find_equal(graze_outline *o, graze_context *context,
 graze_status outline_points(graze_outline *o, graze_context *context) {
     for (size_t k = 0; k < o->piece_count; k++) {
         outline_piece *p = &o->piece[k];
-        if (!has_ends(p))
+        if (!piece_has_ends(p))
             continue;
-        /* The pieces of a curve follow each other. */
-        if (p->cut > 0 && has_ends(p - 1))
+        if (k > 0 && piece_has_ends(p - 1) && p[-1].curve == p->curve && p[-1].cut + 1 == p->cut)
             p->end[0] = p[-1].end[1];
         else
             TRY(append_point(o, context, p, 0));
@@ -120,7 +115,7 @@ graze_status outline_points(graze_outline *o, graze_context *context) {
     qsort(sorted, o->point_count, sizeof *sorted, compare_lows);
     TRY(find_equal(o, context, sorted));
     for (size_t k = 0; k < o->piece_count; k++)
-        for (int end = 0; end < 2 && has_ends(&o->piece[k]); end++)
+        for (int end = 0; end < 2 && piece_has_ends(&o->piece[k]); end++)
             o->piece[k].end[end] = o->point[o->piece[k].end[end]].vertex;
     return GRAZE_OK;
 }

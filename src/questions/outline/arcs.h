@@ -14,6 +14,14 @@ enum { FORM_X, FORM_Y, FORM_S, FORM_VARIABLES };
  * (proofs/outline.md C134). */
 graze_status outline_candidates(graze_outline *o, graze_context *context);
 
+/** Set the outline's covering, and leave out the candidates, and parts of them, that it covers. */
+graze_status outline_cover(graze_outline *o, graze_context *context);
+graze_status outline_open_parts(graze_outline *o, graze_context *context);
+void covering_clear(covering *v);
+/** Is all of a box, near a piece of the motion, inside the moving solid at one time (for an
+ * unsweep: outside it)? 0 where it is not told (proofs/outline.md C146). */
+int outline_covers(const graze_outline *o, const box *x, size_t piece);
+
 /** Find the equations of all curves (C135), and the boxes and groups of the curves. */
 graze_status outline_equations(graze_outline *o, graze_context *context);
 
@@ -35,7 +43,8 @@ void outline_curve_at_point(fmpz_poly_t out, const outline_curve *c, const fmpq 
 void outline_curve_at(fmpq *point, const outline_curve *c, const fmpq_t s);
 /** The degree of the curve's polynomials. */
 slong outline_curve_degree(const outline_curve *c);
-/** Bound a part of a curve. */
+/** Bound a place of a curve, or a part of it. */
+graze_status outline_place_box(box *out, graze_context *context, outline_curve *c, algebraic *s);
 graze_status outline_curve_box(box *out, graze_context *context, outline_curve *c, algebraic *from,
                                algebraic *to);
 /** A place of a curve as a box: its corners with the least and with the greatest coordinates, four

@@ -18,6 +18,8 @@ graze_status outline_make(graze_outline *o, graze_context *context, const graze_
     measure_init(&o->area);
     measure_init(&o->length);
     TRY(outline_candidates(o, context));
+    TRY(outline_cover(o, context));
+    TRY(outline_open_parts(o, context));
     TRY(outline_equations(o, context));
     TRY(outline_cuts(o, context));
     TRY(outline_pieces(o, context));
@@ -71,6 +73,7 @@ void outline_clear(graze_outline *o) {
     for (size_t k = 0; k < o->curve_count; k++)
         outline_curve_clear(&o->curve[k]);
     free(o->curve);
+    covering_clear(&o->cover);
     clear_equations(o);
     clear_rationals(o->fixed, 2 * o->fixed_capacity);
     clear_rationals(o->spot, 2 * o->spot_capacity);

@@ -111,11 +111,20 @@ typedef struct outline_ring {
     outline_measure area, length;
 } outline_ring;
 
+/** The solid at `count` times, `each` of them in a piece of the motion, from its beginning on:
+ * vertices, each within 2^-51 `size`, which no coordinate exceeds, and boxes around all. */
+typedef struct covering {
+    size_t each, count;
+    double *vertex, size;
+    box *around;
+} covering;
+
 /** `ring`: simple rings. `around`: walks through the complement, after the rings in `ring_arc`. */
 struct graze_outline {
     const graze_scene *scene;
     double width; /* relative width of areas and lengths */
     fmpz_mpoly_ctx_t ring_of_forms;
+    covering cover;
     size_t curve_count, curve_capacity, equation_count, equation_capacity;
     outline_curve *curve;
     outline_equation *equation;
