@@ -246,6 +246,8 @@ int straight_contact(sample *out, fmpq *normal, const struct graze_generator *g,
     int made = draw_contact(&p, g, stratum, r);
     if (made) {
         affine_image(out->point, p.when->map, p.y, p.when->dimension);
+        if (!normal && out->made.stratum != GRAZE_STRATUM_ROUNDED && !sample_is_kept(out, g))
+            return 0;
         out->made.order = order_at(g, &p, out->point);
         size_t names;
         graze_cell cell = solid_cell(g->scene->solid, p.simplex, p.zero);
