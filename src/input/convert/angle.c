@@ -1,8 +1,6 @@
 /* Half angles as exact pairs, by MPFR.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "input/convert/angle.h"
 

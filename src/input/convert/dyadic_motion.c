@@ -11,7 +11,6 @@
  */
 #include "input/convert/angle.h"
 
-#include <flint/fmpq_poly.h>
 #include "base/context/scope.h"
 
 typedef struct rounding_task {

@@ -3,7 +3,6 @@
  */
 #include "input/convert/convert.h"
 
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
 

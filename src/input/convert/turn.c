@@ -8,7 +8,6 @@
  */
 #include "input/convert/angle.h"
 
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "input/convert/poses_list.h"
 

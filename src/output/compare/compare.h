@@ -3,8 +3,6 @@
 #ifndef GRAZE_OUTPUT_COMPARE_H
 #define GRAZE_OUTPUT_COMPARE_H
 
-#include <flint/fmpq.h>
-#include <stdint.h>
 #include "base/number/text.h"
 #include "decide/filter/filter.h"
 #include "decide/scene/scene.h"

@@ -3,7 +3,6 @@
 #ifndef GRAZE_OUTPUT_COMPARE_ROWS_H
 #define GRAZE_OUTPUT_COMPARE_ROWS_H
 
-#include <flint/fmpq.h>
 #include <stdint.h>
 #include "output/compare/compare.h"
 

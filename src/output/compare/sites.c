@@ -6,7 +6,6 @@
  */
 #include "output/compare/judgement.h"
 
-#include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"

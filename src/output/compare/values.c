@@ -6,7 +6,6 @@
  */
 #include "output/compare/counts.h"
 
-#include <flint/fmpq_vec.h>
 #include <stdio.h>
 #include <string.h>
 #include "base/context/scope.h"

@@ -3,8 +3,6 @@
  */
 #include "output/draw/views.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,9 +3,7 @@
  */
 #include "output/draw/views.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 

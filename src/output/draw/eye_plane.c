@@ -4,7 +4,6 @@
  * Values are scaled, since only signs and directions are needed. The boundary crosses a side of a
  * lattice's square if the expression holds at one end alone.
  */
-#include <flint/fmpz.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

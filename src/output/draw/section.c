@@ -3,7 +3,6 @@
  */
 #include "output/draw/panel.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/decimal.h"

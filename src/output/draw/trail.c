@@ -3,8 +3,6 @@
  */
 #include "output/draw/panel.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* Makes facets of simplices, identifies vertices by position, and finds the facets that contain an
  * edge or a vertex by locating a point of it. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"

@@ -1,5 +1,4 @@
 /* Draws contact points at random. SPDX-License-Identifier: GPL-3.0-or-later */
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "base/number/random.h"

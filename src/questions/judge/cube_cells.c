@@ -3,7 +3,6 @@
  */
 #include "questions/judge/cube.h"
 
-#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"

@@ -4,8 +4,6 @@
  * A facet's line n pulled back to a piece is f(x, y, u) = a(u) x + b(u) y + c(u). A common factor
  * of a, b and c is divided out; in E^2 it has no root in [0, 1], where the map is invertible.
  */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "questions/topo/eliminate.h"

@@ -7,7 +7,6 @@
  */
 #include "questions/topo/eliminate.h"
 
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 
 /* Kinds of evidence for `interior`: open cones; exact closed cones too; ways along edges too. */

@@ -14,8 +14,6 @@
  */
 #include "questions/topo/eliminate.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 

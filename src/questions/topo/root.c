@@ -6,10 +6,6 @@
  */
 #include "questions/topo/eliminate.h"
 
-#include <flint/fmpq_mat.h>
-#include <flint/fmpq_poly.h>
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 
