@@ -32,12 +32,6 @@ typedef struct curve_maker {
 
 static const char in_plane[] = "facets or edges come to lie in a plane through the point";
 
-/* The reason if the scene has more curves than the bound. */
-static const char *too_many(const plane_view *view) {
-    return view->dimension == 2 ? "the scene has more than the 100000 curves that are looked at"
-                                : "the scene has more curves in a plane than are looked at";
-}
-
 static void refuse_degree(curve_maker *m, slong degree) {
     int in_e2 = m->view->dimension == 2;
     ulong most = in_e2 ? m->context->limits[GRAZE_LIMIT_CURVE] : SLICE_CURVE_DEGREE;
@@ -175,7 +169,10 @@ graze_status curves_of_scene(curve_list *list, const char **refused, graze_conte
     size_t each = 3 * (planes->count + scene->solid->cut.count);
     size_t most = view->dimension == 2 ? CURVE_COUNT : SLICE_CURVE_COUNT;
     *refused = NULL;
-    m.refused = motion->piece_count > most / each ? too_many(view) : NULL;
+    if (motion->piece_count > most / each)
+        m.refused = view->dimension == 2
+                        ? "the scene has more than the 100000 curves that are looked at"
+                        : "the scene has more curves in a plane than are looked at";
     for (size_t k = 0; k < motion->piece_count && !m.refused; k++)
         TRY(add_piece(&m, &motion->piece[k], planes));
     *refused = m.refused;
