@@ -27,10 +27,7 @@ static size_t root_of(size_t *parent, size_t k) {
 static void unite(size_t *parent, size_t a, size_t b) {
     a = root_of(parent, a);
     b = root_of(parent, b);
-    if (a < b)
-        parent[b] = a;
-    else
-        parent[a] = b;
+    parent[a < b ? b : a] = a < b ? a : b;
 }
 
 static int is_segment(const curve_part *p) {
