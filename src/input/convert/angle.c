@@ -1,8 +1,6 @@
 /* Half angles as exact pairs, by MPFR.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "input/convert/angle.h"
 
@@ -198,18 +196,12 @@ void half_angle_sway(mpfr_t out, const half_angle *from, const half_angle *to,
     mpfr_min(out, out, apart, MPFR_RNDU);
 }
 
-static int angle_within(const half_angle *h, const fmpq_t f, const fmpq_t square,
-                        const fmpq_t tolerance) {
-    LOCAL_MPFR(error, ANGLE_BITS);
-    half_angle_error(error, h, f, square);
-    return !bound_exceeds(error, tolerance);
-}
-
 /* The last convergent is the approximation itself, which is within 2^-ANGLE_FINEST. */
 void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
                            const fmpq_t tolerance) {
     LOCAL_MPFR(tangent, ANGLE_BITS);
     LOCAL_MPFR(length, ANGLE_BITS);
+    LOCAL_MPFR(error, ANGLE_BITS);
     LOCAL_VEC(fmpq, x, 2);
     fmpq *rest = x + 1;
     radians(tangent, f);
@@ -220,7 +212,8 @@ void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
     LOCAL_VEC(fmpz, term, fmpq_cfrac_bound(x));
     slong count = fmpq_get_cfrac(term, rest, x, fmpq_cfrac_bound(x)), n = 1;
     fmpq_one(out->w);
-    do
+    do {
         fmpq_set_cfrac(out->c, term, n);
-    while (!angle_within(out, f, square, tolerance) && n++ < count);
+        half_angle_error(error, out, f, square);
+    } while (bound_exceeds(error, tolerance) && n++ < count);
 }

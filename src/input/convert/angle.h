@@ -3,7 +3,6 @@
 #ifndef GRAZE_INPUT_CONVERT_ANGLE_H
 #define GRAZE_INPUT_CONVERT_ANGLE_H
 
-#include <flint/fmpq.h>
 #include <mpfr.h>
 #include "input/convert/convert.h"
 

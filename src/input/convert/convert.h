@@ -3,7 +3,6 @@
 #ifndef GRAZE_INPUT_CONVERT_H
 #define GRAZE_INPUT_CONVERT_H
 
-#include <flint/fmpq.h>
 #include <mpfr.h>
 #include "base/context/context.h"
 #include "base/number/text.h"
@@ -124,7 +123,7 @@ graze_status convert_gcode(conversion *out, graze_context *context, const char *
 /**
  * The unit quaternion, up to the rounding of doubles, that is nearest to a matrix: the eigenvector
  * of the largest eigenvalue of a symmetric 4x4 matrix (Horn 1987; Bar-Itzhack 2000), with the sign
- * that is nearer to `before`. pose_deviation measures how far its rotation is from the matrix.
+ * that is nearer to `before`. rotation_distance measures how far its rotation is from the matrix.
  */
 void pose_nearest(double out[4], const double matrix[9], const double before[4]);
 

@@ -11,7 +11,6 @@
  */
 #include "input/convert/angle.h"
 
-#include <flint/fmpq_poly.h>
 #include "base/context/scope.h"
 
 typedef struct rounding_task {
@@ -26,22 +25,18 @@ static int has_polynomials(const motion_piece *piece) {
     return fmpz_poly_degree(piece->forward.weight) == 0;
 }
 
-/* The multiple of 2^-bits nearest to a number, halves upwards. */
-static void round_dyadic(fmpq_t out, const fmpq_t value, slong bits) {
+/* Round task->value to the nearest multiple of 2^-bits, halves upwards, and set task->change to the
+ * absolute change. */
+static void round_value(rounding_task *task) {
     LOCAL(fmpz, twice);
     LOCAL(fmpq, scaled);
-    fmpq_mul_2exp(scaled, value, (ulong)bits + 1);
+    fmpq_mul_2exp(scaled, task->value, (ulong)task->bits + 1);
     fmpz_add(twice, fmpq_numref(scaled), fmpq_denref(scaled)); /* floor((2 v 2^bits + 1) / 2) */
     fmpz_mul_2exp(fmpq_denref(scaled), fmpq_denref(scaled), 1);
     fmpz_fdiv_q(twice, twice, fmpq_denref(scaled));
-    fmpq_set_fmpz(out, twice);
-    fmpq_div_2exp(out, out, (ulong)bits);
-}
-
-/* Round task->value, and set task->change to the absolute change. */
-static void round_value(rounding_task *task) {
     fmpq_set(task->change, task->value);
-    round_dyadic(task->value, task->value, task->bits);
+    fmpq_set_fmpz(task->value, twice);
+    fmpq_div_2exp(task->value, task->value, (ulong)task->bits);
     fmpq_sub(task->change, task->value, task->change);
     fmpq_abs(task->change, task->change);
 }

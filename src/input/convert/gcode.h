@@ -3,7 +3,6 @@
 #ifndef GRAZE_INPUT_CONVERT_GCODE_H
 #define GRAZE_INPUT_CONVERT_GCODE_H
 
-#include <flint/fmpq.h>
 #include <mpfr.h>
 #include "base/context/context.h"
 #include "base/number/json.h"

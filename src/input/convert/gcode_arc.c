@@ -21,7 +21,6 @@
  */
 #include "input/convert/gcode.h"
 
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "input/convert/angle.h"

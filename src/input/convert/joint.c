@@ -3,7 +3,6 @@
  */
 #include "input/convert/angle.h"
 
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 
 enum { JOINT_NUMBERS = 10 };

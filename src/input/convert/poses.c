@@ -6,7 +6,6 @@
  */
 #include "input/convert/angle.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
 #include "base/context/scope.h"
@@ -30,6 +29,7 @@ static graze_status find_rotations(text *report, graze_context *context, pose_li
     static const double unturned[4] = {1, 0, 0, 0};
     double before[4] = {1, 0, 0, 0}, matrix[9], q[4];
     LOCAL_VEC(fmpq, worst, 2);
+    LOCAL_VEC(fmpq, rotation, 9);
     fmpq *deviation = worst + 1;
     LOCAL(mpq, entry);
     for (size_t i = 0; i < list->count; i++) {
@@ -45,7 +45,8 @@ static graze_status find_rotations(text *report, graze_context *context, pose_li
         memcpy(before, finite ? q : unturned, sizeof before);
         for (int k = 0; k < 4; k++)
             TRY(rational_from_double(p->quaternion + k, context, before[k]));
-        pose_deviation(deviation, p);
+        pose_rotation(rotation, p->quaternion);
+        rotation_distance(deviation, rotation, p->matrix, 4);
         if (fmpq_cmp(deviation, worst) > 0)
             fmpq_set(worst, deviation);
         if (fmpq_cmp(deviation, tolerance) > 0)
@@ -220,11 +221,8 @@ static void report_poses(text *t, const pose_list *list, unsigned ways, const po
         text_format(t, ", all numbers rounded to %s (`--numbers written` takes them exactly)",
                     graze_rounding_name(rounding));
     text_put(t, "\n");
-    if (!fmpq_is_one(choice->scale)) {
-        text_put(t, "scale: positions are those given times ");
-        text_rational(t, choice->scale);
-        text_put(t, "\n");
-    }
+    if (!fmpq_is_one(choice->scale))
+        json_form(t, "scale: positions are those given times @\n", choice->scale);
     text_put(t, affine ? "between: every entry of the matrix is linear\n"
                 : list->form == POSES_OF_POSITIONS
                     ? "between: the position is linear; the list has no rotations\n"
@@ -232,16 +230,6 @@ static void report_poses(text *t, const pose_list *list, unsigned ways, const po
                     ? "between: the position is linear, the rotation near SLERP\n"
                     : "between: position and quaternion are linear, the quaternion not "
                       "normalised\n");
-}
-
-/* Find the quaternions of rows that have rotations in any form. */
-static graze_status find_quaternions(conversion *out, graze_context *context, pose_list *list,
-                                     const pose_choice *choice, const fmpq_t tolerance) {
-    if (list->form == POSES_OF_POSITIONS || list->form == POSES_OF_QUATERNIONS)
-        return GRAZE_OK;
-    if (list->form == POSES_OF_MATRICES)
-        return find_rotations(&out->report, context, list, tolerance);
-    return poses_turn(&out->report, context, list, choice->naming.order, tolerance);
 }
 
 graze_status convert_poses(conversion *out, graze_context *context, const char *path,
@@ -253,8 +241,10 @@ graze_status convert_poses(conversion *out, graze_context *context, const char *
         return context_fail_in(context, GRAZE_EINPUT, path, 0,
                                "the poses are no matrices; expected matrices for an affine motion");
     report_poses(&out->report, &list, ways, choice, context->rounding);
-    if (!affine)
-        TRY(find_quaternions(out, context, &list, choice, tolerance));
+    if (!affine && list.form == POSES_OF_MATRICES)
+        TRY(find_rotations(&out->report, context, &list, tolerance));
+    if (list.form == POSES_OF_AXES || list.form == POSES_OF_ANGLES)
+        TRY(poses_turn(&out->report, context, &list, choice->naming.order, tolerance));
     if (list.dimension == 2)
         TRY(flatten_poses(&out->report, context, &list, affine, tolerance));
     if (affine) {

@@ -174,16 +174,13 @@ static int is_time_by_caller(const naming *n, int column) {
 
 static graze_status take_name(naming *n, field name, int place) {
     int k = pose_column_of(name, n->given->order);
-    if (k == POSE_COLUMNS && pose_name_is_idle(name)) {
+    if (k == POSE_COLUMNS ? pose_name_is_idle(name)
+                          : is_named_by_caller(n, k) || is_time_by_caller(n, k)) {
         pass_over(n, name);
         return GRAZE_OK;
     }
     if (k == POSE_COLUMNS)
         return refuse_name(n, name);
-    if (is_named_by_caller(n, k) || is_time_by_caller(n, k)) {
-        pass_over(n, name);
-        return GRAZE_OK;
-    }
     if (n->out->place[k] >= 0)
         return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
                                "the column %s stands there twice; expected once",

@@ -3,7 +3,6 @@
 #ifndef GRAZE_INPUT_CONVERT_POSES_LIST_H
 #define GRAZE_INPUT_CONVERT_POSES_LIST_H
 
-#include <flint/fmpq.h>
 #include <mpfr.h>
 #include "input/convert/convert.h"
 #include "input/delimited/delimited.h"
@@ -107,7 +106,7 @@ typedef struct pose_list {
  * Read a file or text in one of the forms above, its fields between commas, semicolons or blanks.
  * Poses without times have the times 0, 1, 2, ... Nanoseconds are added to times, and not rounded.
  * `#` lines and blank lines are skipped.
- * @param[out] out cleared by pose_list_clear, also after a failure
+ * @param[out] out zeroed by the caller, cleared by pose_list_clear, also after a failure
  * @param[out] report lines on the columns
  * @return GRAZE_ESYSTEM, GRAZE_EINPUT with file, line and column, GRAZE_ELIMIT
  */
@@ -118,10 +117,6 @@ void pose_list_clear(pose_list *list);
 /** Initialise the numbers of a pose, and free them. */
 void pose_init(pose *p);
 void pose_clear(pose *p);
-
-/** The largest absolute difference between an entry of a pose's matrix and of the rotation that its
- * quaternion is; exact. */
-void pose_deviation(fmpq_t out, const pose *p);
 
 /* SLERP between poses: how far linear quaternions are from it, and poses between that come near. */
 

@@ -3,9 +3,9 @@
  */
 #include "input/convert/poses_list.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 
 /* The symmetric matrix K with x K x = (trace of R(x)^T A) |x|^2 for every quaternion x. */
 static void horn(double k[4][4], const double a[9]) {
@@ -63,18 +63,14 @@ void pose_nearest(double out[4], const double matrix[9], const double before[4])
 static void matrix_entry(fmpq_t out, const fmpq *a, const fmpq *b, int sign, const fmpq *c,
                          const fmpq *d, const fmpq_t norm) {
     fmpq_mul(out, a, b);
-    if (sign > 0)
-        fmpq_addmul(out, c, d);
-    else
-        fmpq_submul(out, c, d);
+    (sign > 0 ? fmpq_addmul : fmpq_submul)(out, c, d);
     fmpq_add(out, out, out);
     fmpq_div(out, out, norm);
 }
 
 void pose_rotation(fmpq *out, const fmpq *q) {
     LOCAL(fmpq, norm);
-    for (int k = 0; k < 4; k++)
-        fmpq_addmul(norm, q + k, q + k);
+    _fmpq_vec_dot(norm, q, q, 4);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             fmpq *entry = out + 3 * i + j;
@@ -89,18 +85,8 @@ void pose_rotation(fmpq *out, const fmpq *q) {
 }
 
 void rotation_distance(fmpq_t out, const fmpq *rotation, const fmpq *matrix, int columns) {
-    LOCAL(fmpq, entry);
-    fmpq_zero(out);
-    for (int k = 0; k < 9; k++) {
-        fmpq_sub(entry, rotation + k, matrix + columns * (k / 3) + k % 3);
-        fmpq_abs(entry, entry);
-        if (fmpq_cmp(entry, out) > 0)
-            fmpq_set(out, entry);
-    }
-}
-
-void pose_deviation(fmpq_t out, const pose *p) {
-    LOCAL_VEC(fmpq, rotation, 9);
-    pose_rotation(rotation, p->quaternion);
-    rotation_distance(out, rotation, p->matrix, 4);
+    LOCAL_VEC(fmpq, difference, 9);
+    for (int row = 0; row < 3; row++)
+        vector_sub(difference + 3 * row, rotation + 3 * row, matrix + columns * row, 3);
+    vector_widest(out, difference, 9);
 }

@@ -3,7 +3,6 @@
  */
 #include "input/convert/poses_list.h"
 
-#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
@@ -220,7 +219,6 @@ static graze_status read_pose_text(reading *r, const char *text, size_t length) 
 
 graze_status poses_read(pose_list *out, text *report, graze_context *context, const char *path,
                         const pose_choice *choice) {
-    memset(out, 0, sizeof *out);
     out->source = path;
     FREED(char, text, NULL);
     size_t length = choice->length;

@@ -14,7 +14,6 @@
  * between their rotations is at most 2 asin(E / |Q|) < 5 E < 2^(9 - bits) at each time, and
  * angle_sway bounds that between Q and SLERP.
  */
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "input/convert/angle.h"

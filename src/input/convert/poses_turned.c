@@ -9,7 +9,6 @@
  */
 #include "input/convert/angle.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
 #include "base/context/scope.h"
@@ -66,11 +65,10 @@ static void divide_by_pi(fmpq_t f, mpfr_t error) {
     mpfr_add(error, error, value, MPFR_RNDU);
 }
 
-/* Find the quaternion of three angles, a product of three turns whose half angles are
- * dyadic pairs near the given ones, and an upper bound of the angle between both rotations,
- * radians, about 2^-bits: the sum of the errors of the turns. `quaternion` may be `angles`. */
-static void angles_rotation(fmpq *quaternion, mpfr_t error, const angle_order *order,
-                            const fmpq *angles, slong bits) {
+/* Replace three angles by their quaternion, a product of three turns whose half angles are dyadic
+ * pairs near the given ones, and find an upper bound of the angle between both rotations, radians,
+ * about 2^-bits: the sum of the errors of the turns. */
+static void angles_rotation(fmpq *angles, mpfr_t error, const angle_order *order, slong bits) {
     LOCAL_VEC(fmpq, product, 4);
     LOCAL_VEC(fmpq, f, 2);
     fmpq *one = f + 1;
@@ -88,7 +86,7 @@ static void angles_rotation(fmpq *quaternion, mpfr_t error, const angle_order *o
         mpfr_add(error, error, part, MPFR_RNDU);
         turn_on(product, &h, order->axis[k]);
     }
-    vector_set(quaternion, product, 4);
+    vector_set(angles, product, 4);
 }
 
 int pose_along(const pose *p) {
@@ -106,6 +104,7 @@ void pose_negate(pose *p) {
  * i, 2 w j, w^2 - i^2 - j^2) / |q|^2, and the least rotation to the axis. */
 static void axis_error(mpfr_t out, const fmpq_t w, const fmpq *a, const fmpq_t square) {
     LOCAL_VEC(fmpq, u, 3);
+    LOCAL_VEC(fmpq, product, 3);
     LOCAL_VEC(fmpq, norm, 3);
     fmpq *cross = norm + 1, *sum = norm + 2;
     _fmpq_vec_dot(norm, a, a, 2);
@@ -117,11 +116,8 @@ static void axis_error(mpfr_t out, const fmpq_t w, const fmpq *a, const fmpq_t s
         fmpq_mul(u + k, w, a + k);
         fmpq_add(u + k, u + k, u + k);
     }
-    for (int k = 0; k < 3; k++) {
-        fmpq_mul(cross, u + k, a + (k + 1) % 3);
-        fmpq_submul(cross, u + (k + 1) % 3, a + k);
-        fmpq_addmul(sum, cross, cross);
-    }
+    vector_cross(product, u, a);
+    _fmpq_vec_dot(sum, product, product, 3);
     fmpq_div(sum, sum, norm);
     fmpq_div(sum, sum, norm);
     fmpq_div(sum, sum, square);
@@ -174,15 +170,6 @@ slong bits_within(const fmpq_t tolerance) {
     return bits < BITS_LEAST ? BITS_LEAST : bits < ANGLE_FINEST ? bits : ANGLE_FINEST;
 }
 
-static graze_status refuse_error(graze_context *context, const pose_list *list, const pose *p,
-                                 const mpfr_t error) {
-    char digits[DIGITS_ROOM];
-    return context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
-                           "the rotation is up to %s radians off the one asked for; expected a "
-                           "larger tolerance",
-                           bound_digits(digits, error));
-}
-
 static void report_turned(text *t, const pose_list *list, const angle_order *order,
                           const mpfr_t worst) {
     if (list->form == POSES_OF_AXES)
@@ -200,6 +187,7 @@ static void report_turned(text *t, const pose_list *list, const angle_order *ord
 
 graze_status poses_turn(text *report, graze_context *context, pose_list *list,
                         const angle_order *order, const fmpq_t tolerance) {
+    char digits[DIGITS_ROOM];
     slong bits = bits_within(tolerance);
     LOCAL_MPFR(error, ANGLE_BITS);
     LOCAL_MPFR(worst, ANGLE_BITS);
@@ -209,9 +197,12 @@ graze_status poses_turn(text *report, graze_context *context, pose_list *list,
         if (list->form == POSES_OF_AXES)
             TRY(axis_rotation(error, context, list, p));
         else
-            angles_rotation(p->quaternion, error, order, p->quaternion, bits);
+            angles_rotation(p->quaternion, error, order, bits);
         if (bound_exceeds(error, tolerance))
-            return refuse_error(context, list, p, error);
+            return context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
+                                   "the rotation is up to %s radians off the one asked for; "
+                                   "expected a larger tolerance",
+                                   bound_digits(digits, error));
         if (i && pose_along(p) < 0)
             pose_negate(p);
         mpfr_max(worst, worst, error, MPFR_RNDU);

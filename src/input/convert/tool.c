@@ -3,7 +3,6 @@
  */
 #include "input/convert/angle.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 

@@ -11,7 +11,6 @@
  */
 #include "input/convert/angle.h"
 
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 

@@ -10,7 +10,6 @@
  */
 #include "input/convert/convert.h"
 
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 
 void tool_csg_begin(text *out, const fmpq *at) {

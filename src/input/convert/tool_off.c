@@ -3,18 +3,8 @@
  */
 #include "input/convert/convert.h"
 
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
-
-static void put_finite(text *t, const fmpq_t value) {
-    int finite = 0;
-    char *decimal = decimal_finite(&finite, value);
-    if (finite)
-        text_owned(t, decimal);
-    else
-        text_rational(t, value);
-}
 
 static void put_vertex(text *t, const fmpq *v, const fmpq *at) {
     LOCAL(fmpq, sum);
@@ -22,7 +12,12 @@ static void put_vertex(text *t, const fmpq *v, const fmpq *at) {
         fmpq_set(sum, v + k);
         if (at)
             fmpq_add(sum, sum, at + k);
-        put_finite(t, sum);
+        int finite = 0;
+        char *decimal = decimal_finite(&finite, sum);
+        if (finite)
+            text_owned(t, decimal);
+        else
+            text_rational(t, sum);
         text_put(t, k < 2 ? " " : "\n");
     }
 }

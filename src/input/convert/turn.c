@@ -8,7 +8,6 @@
  */
 #include "input/convert/angle.h"
 
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "input/convert/poses_list.h"
 
@@ -89,18 +88,13 @@ static void find_tangent(half_angle *out, mpfr_t error, const joint *j, const ta
 static void report_turn(text *t, const target *goal, const joint *j, const half_angle *made,
                         const mpfr_t error) {
     LOCAL_MPFR(off, ANGLE_BITS);
-    text_put(t, "a turn by ");
-    text_rational(t, j->degrees);
-    text_put(t, " degrees; every position is one of the exact turn, up to the last\n");
-    if (fmpq_is_one(made->w)) {
-        text_put(t, "tangent: ");
-        text_rational(t, made->c);
-        text_put(t, "\n");
-    }
+    json_form(t, "a turn by @ degrees; every position is one of the exact turn, up to the last\n",
+              j->degrees);
+    if (fmpq_is_one(made->w))
+        json_form(t, "tangent: @\n", made->c);
     put_fact(t, "angle: at the end it is off by", error, "radians");
     mpfr_mul(off, error, j->reach, MPFR_RNDU);
-    text_put(t, "error: at the end, a point within ");
-    text_rational(t, goal->radius);
+    json_form(t, "error: at the end, a point within @", goal->radius);
     put_fact(t, " of the origin is off by", off, "");
     text_put(t, "speed: not uniform; as a screw or a joint the turn is uniform\n");
 }

@@ -9,19 +9,15 @@
  */
 #include "input/convert/angle.h"
 
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "input/convert/poses_list.h"
 
 enum { PIECE_WORK = 10000 }; /* units of context_work for the angles of a joint in a piece */
 
 void turn_fraction(fmpq_t out, const joint *j, unsigned long k, unsigned long n) {
-    LOCAL(fmpz, factor);
-    fmpz_set_ui(factor, k);
-    fmpq_mul_fmpz(out, j->degrees, factor);
-    fmpz_set_ui(factor, 720);
-    fmpz_mul_ui(factor, factor, n);
-    fmpq_div_fmpz(out, out, factor);
+    fmpq_mul_ui(out, j->degrees, k);
+    divide_by(out, out, 720);
+    divide_by(out, out, n);
 }
 
 unsigned long quarters_above(const graze_context *context, const joint *j) {
@@ -30,10 +26,9 @@ unsigned long quarters_above(const graze_context *context, const joint *j) {
     LOCAL(fmpz, size);
     fmpz_abs(size, fmpq_numref(j->degrees));
     fmpz_cdiv_q(quarters, size, quarters);
-    unsigned long out = 0;
-    if (fmpz_cmp_ui(quarters, context->limits[GRAZE_LIMIT_PIECES]) <= 0)
-        out = fmpz_is_zero(quarters) ? 1 : fmpz_get_ui(quarters);
-    return out;
+    if (fmpz_cmp_ui(quarters, context->limits[GRAZE_LIMIT_PIECES]) > 0)
+        return 0;
+    return fmpz_is_zero(quarters) ? 1 : fmpz_get_ui(quarters);
 }
 
 /* An upper bound, radians, of how far a joint's angle is from uniform in the first `count` of the
@@ -255,13 +250,11 @@ static void report_joints(text *t, const target *goal, const joint *joints, cons
         }
         text_format(t, "joint %zu: a turn by ", i);
         text_rational(t, joints[i].degrees);
-        text_put(t, " degrees; at every time t its angle differs from the uniform one by");
-        put_fact(t, "", joints[i].off, "radians");
+        put_fact(t, " degrees; at every time t its angle differs from the uniform one by",
+                 joints[i].off, "radians");
     }
-    text_put(t, "error: at every time t, a point within ");
-    text_rational(t, goal->radius);
-    text_put(t, " of the origin is off the uniform motion by");
-    put_fact(t, "", error, "");
+    json_form(t, "error: at every time t, a point within @", goal->radius);
+    put_fact(t, " of the origin is off the uniform motion by", error, "");
 }
 
 graze_status convert_joints(conversion *out, graze_context *context, const target *goal,

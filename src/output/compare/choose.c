@@ -3,7 +3,6 @@
  */
 #include "output/compare/judgement.h"
 
-#include <flint/fmpq.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
@@ -163,7 +162,7 @@ static graze_status check_notes(const table *golden, const table *candidate) {
             return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
                                    "%s is %.64s, that of %s is %.64s; expected tables of one "
                                    "scene and one set of options",
-                                   note_name(same[k]), c, golden->in.name, g);
+                                   note_names[same[k]], c, golden->in.name, g);
     }
     return GRAZE_OK;
 }
@@ -173,6 +172,7 @@ static graze_status choose_columns(graze_comparison *c, const table *golden,
                                    const table *candidate) {
     static const char *const answers[] = {"sdf", "pmc", "class", "word"};
     int sdf = c->options.has == GRAZE_HAS_SDF, any = 0;
+    int open = c->options.question == GRAZE_QUESTION_OPEN && !c->options.motion_error;
     char meant[TABLE_MEANT];
     table_meant(meant, candidate, sdf ? answers : answers + 1, sdf ? 1 : 3);
     if (sdf && candidate->where[COLUMN_SDF] < 0)
@@ -184,7 +184,6 @@ static graze_status choose_columns(graze_comparison *c, const table *golden,
         if (!judged_of(j, 0))
             continue;
         int answered = candidate->where[j] >= 0;
-        int open = c->options.question == GRAZE_QUESTION_OPEN && !c->options.motion_error;
         c->judged[j] = j == COLUMN_PMC ? answered || sdf : answered && open && !sdf;
         if (c->judged[j] && golden->where[j] < 0)
             return context_fail_in(golden->in.context, GRAZE_EINPUT, golden->in.name, 0,
@@ -195,11 +194,7 @@ static graze_status choose_columns(graze_comparison *c, const table *golden,
     if (!any)
         return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
                                "has no column that can be judged; expected one of %s%s",
-                               c->options.question == GRAZE_QUESTION_OPEN &&
-                                       !c->options.motion_error
-                                   ? "pmc, class, i, t, word"
-                                   : "pmc (or sdf)",
-                               meant);
+                               open ? "pmc, class, i, t, word" : "pmc (or sdf)", meant);
     return values_choose(c, golden);
 }
 

@@ -3,8 +3,6 @@
 #ifndef GRAZE_OUTPUT_COMPARE_H
 #define GRAZE_OUTPUT_COMPARE_H
 
-#include <flint/fmpq.h>
-#include <stdint.h>
 #include "base/number/text.h"
 #include "decide/filter/filter.h"
 #include "decide/scene/scene.h"
@@ -82,8 +80,8 @@ typedef struct ceiling {
     long exponent;
 } ceiling;
 
-/** Errors below the first decade count as the least number of this decade; for errors past the last
- * decade only their number is kept. */
+/** Errors below the first decade count as the least number of this decade; errors past the last
+ * decade have no bin. */
 enum { FIRST_DECADE = -99, LAST_DECADE = 99, DECADES = LAST_DECADE - FIRST_DECADE + 1 };
 
 /** Errors of values against their enclosures. */
@@ -91,7 +89,6 @@ typedef struct errors {
     unsigned long rows;          /* values judged */
     unsigned long over, under;   /* values above and below the enclosure; all others are inside */
     unsigned long beyond;        /* values outside it by more than the tolerance */
-    unsigned long past;          /* errors past the last decade */
     unsigned long *bin[DECADES]; /* by decade: counts by the two leading digits; NULL: no error */
     ceiling largest, largest_over;
 } errors;

@@ -3,7 +3,6 @@
  */
 #include "output/compare/counts.h"
 
-#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
@@ -16,13 +15,6 @@
 static const double DEPTH_WIDTH = 1e-13;
 
 const char *const depth_parts[DEPTH_PARTS] = {"1e-12", "1e-9", "1e-6", "1e-3"};
-
-static void depth_clear(depths *d) {
-    for (int k = 0; k < 3; k++)
-        errors_clear(&d->by[k]);
-    fmpq_clear(d->size);
-    free(d->unmeasured);
-}
 
 /* Count a row under each part of the size that `least`, the lower bound of its distance, exceeds.
  */
@@ -236,7 +228,10 @@ void comparison_clear(graze_comparison *c) {
     for (int g = 0; g < GROUPING_COUNT; g++)
         tally_clear(&c->tallies[g]);
     errors_clear(&c->values);
-    depth_clear(&c->depth);
+    for (int k = 0; k < 3; k++)
+        errors_clear(&c->depth.by[k]);
+    fmpq_clear(c->depth.size);
+    free(c->depth.unmeasured);
     fmpq_clear(c->tolerance);
     fmpq_clear(c->eta);
     free(c->disagreements);

@@ -3,7 +3,6 @@
 #ifndef GRAZE_OUTPUT_COMPARE_COUNTS_H
 #define GRAZE_OUTPUT_COMPARE_COUNTS_H
 
-#include <flint/fmpq.h>
 #include "output/compare/rows.h"
 
 /* Numbers rounded up to a few decimal digits, for reports. */

@@ -18,10 +18,7 @@ static void scale_by_ten(fmpq_t out, const fmpq_t x, long power) {
     LOCAL(fmpz, ten);
     fmpz_set_ui(ten, 10);
     fmpz_pow_ui(ten, ten, (ulong)(power < 0 ? -power : power));
-    if (power < 0)
-        fmpq_div_fmpz(out, x, ten);
-    else
-        fmpq_mul_fmpz(out, x, ten);
+    (power < 0 ? fmpq_div_fmpz : fmpq_mul_fmpz)(out, x, ten);
 }
 
 long decade_of(const fmpq_t x) {
@@ -56,14 +53,6 @@ int ceiling_compare(ceiling a, ceiling b) {
     return a.exponent < b.exponent ? -1 : 1;
 }
 
-/* Round a ceiling up to two digits. */
-static ceiling ceiling_short(ceiling c) {
-    c.digits = (c.digits + SHORT - 1) / SHORT * SHORT;
-    if (c.digits == NEXT)
-        c = (ceiling){KEPT, c.exponent + 1};
-    return c;
-}
-
 void ceiling_put(text *out, ceiling c) {
     unsigned long first = c.digits / KEPT, rest = c.digits % KEPT;
     int places = 5;
@@ -78,12 +67,13 @@ void ceiling_put(text *out, ceiling c) {
 
 enum { LEAST = 10, MOST = 99, BINS = MOST - LEAST + 1 };
 
-static int add_to_bin(errors *e, ceiling size) {
-    ceiling c = ceiling_short(size);
-    if (c.exponent > LAST_DECADE) {
-        e->past++;
+/* Count an error, rounded up to two digits. */
+static int add_to_bin(errors *e, ceiling c) {
+    c.digits = (c.digits + SHORT - 1) / SHORT * SHORT;
+    if (c.digits == NEXT)
+        c = (ceiling){KEPT, c.exponent + 1};
+    if (c.exponent > LAST_DECADE)
         return 1;
-    }
     if (c.exponent < FIRST_DECADE)
         c = (ceiling){(unsigned long)LEAST * SHORT, FIRST_DECADE};
     unsigned long **bin = &e->bin[c.exponent - FIRST_DECADE];
@@ -127,14 +117,11 @@ graze_status comparison_no_memory(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory");
 }
 
-static group *find(tally *t, field name) {
+/* The group of a name, appended if it is not there; NULL when out of memory. */
+static group *group_of(tally *t, field name) {
     for (size_t k = 0; k < t->count; k++)
         if (field_is(name, t->groups[k].name))
             return &t->groups[k];
-    return NULL;
-}
-
-static group *append(tally *t, field name) {
     if (t->count == MOST_GROUPS)
         return &t->others;
     if (!array_reserve(&t->groups, &t->capacity, t->count + 1, sizeof *t->groups))
@@ -146,19 +133,12 @@ static group *append(tally *t, field name) {
     return g->name ? g : NULL;
 }
 
-/* Count the error of a value. 0 when out of memory. */
-static int add_value(group *g, const value_error *value) {
-    if (!g->values)
-        g->values = calloc(1, sizeof *g->values);
-    return g->values && errors_add(g->values, *value);
-}
-
 graze_status tally_add(tally *t, graze_context *context, field name, char status,
                        const value_error *value) {
-    group *g = find(t, name);
-    if (!g)
-        g = append(t, name);
-    if (!g || (value && !add_value(g, value)))
+    group *g = group_of(t, name);
+    if (g && value && !g->values)
+        g->values = calloc(1, sizeof *g->values);
+    if (!g || (value && (!g->values || !errors_add(g->values, *value))))
         return comparison_no_memory(context);
     g->rows++;
     g->wrong += status == 'w';
@@ -192,18 +172,17 @@ void tally_sort(tally *t) {
         qsort(t->groups, t->count, sizeof *t->groups, by_name);
 }
 
-static void clear_values(group *g) {
+static void clear_group(group *g) {
     if (g->values)
         errors_clear(g->values);
     free(g->values);
+    free(g->name);
 }
 
 void tally_clear(tally *t) {
-    for (size_t k = 0; k < t->count; k++) {
-        free(t->groups[k].name);
-        clear_values(&t->groups[k]);
-    }
-    clear_values(&t->others);
+    for (size_t k = 0; k < t->count; k++)
+        clear_group(&t->groups[k]);
+    clear_group(&t->others);
     free(t->groups);
     memset(t, 0, sizeof *t);
 }

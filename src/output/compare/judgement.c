@@ -176,7 +176,6 @@ judgement judge(const graze_comparison *c, const int *judged, const table *golde
     judgement j = {{0}, 0, {0}, 0, 0};
     j.truth = truth_of(&j.undecided, c, golden, row, right->pmc);
     j.undecided |= !value->certain;
-    int pmc = judged[COLUMN_PMC] && !j.undecided;
     j.wrong[COLUMN_CLASS] = judged[COLUMN_CLASS] && right->class_ != given->class_;
     j.wrong[COLUMN_I] = judged[COLUMN_I] && right->i != given->i;
     j.wrong[COLUMN_T] = judged[COLUMN_T] && right->t != given->t;
@@ -186,7 +185,7 @@ judgement judge(const graze_comparison *c, const int *judged, const table *golde
         j.any_wrong |= j.wrong[k];
     for (int k = 0; k < CONVENTIONS; k++)
         j.wrong_as[k] = j.any_wrong;
-    if (pmc)
+    if (judged[COLUMN_PMC] && !j.undecided)
         judge_pmc(&j, c->options.on_as, given->pmc);
     return j;
 }

@@ -97,9 +97,8 @@ char *explain_command(const graze_comparison *c, const disagreement *d);
 
 /* Errors of values in reports. */
 
-/** Groupings whose groups have errors of values in the report. */
-enum { SHOWN_BY = 3 };
-extern const grouping shown_by[SHOWN_BY];
+/** The number of groupings, the first ones, whose groups have errors of values in the report. */
+enum { SHOWN_BY = BY_SDF + 1 };
 /** "outside" or "pseudo". */
 const char *truth_name(const graze_comparison *c);
 /** The number of values inside their enclosures. */

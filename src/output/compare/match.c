@@ -152,15 +152,6 @@ static graze_status next_indexed(match *m, const table_row **golden, const table
     return *candidate ? pair(m, row, *candidate) : GRAZE_OK;
 }
 
-/* Hand out the first rows of both windows together. */
-static graze_status together(match *m, const table_row **golden, const table_row **candidate) {
-    *golden = row_at(&m->golden, 0);
-    *candidate = row_at(&m->candidate, 0);
-    drop(&m->golden);
-    drop(&m->candidate);
-    return pair(m, *golden, *candidate);
-}
-
 graze_status match_next(match *m, const table_row **golden, const table_row **candidate) {
     *golden = *candidate = NULL;
     if (m->way == MATCH_INDEXED)
@@ -176,8 +167,13 @@ graze_status match_next(match *m, const table_row **golden, const table_row **ca
         if (both && !same)
             TRY(resynchronise(m));
     }
-    if (same)
-        return together(m, golden, candidate);
+    if (same) {
+        *golden = row_at(&m->golden, 0);
+        *candidate = row_at(&m->candidate, 0);
+        drop(&m->golden);
+        drop(&m->candidate);
+        return pair(m, *golden, *candidate);
+    }
     if (m->skip_golden || (m->golden.count && !m->skip_candidate))
         return alone(m, &m->golden, golden);
     return m->candidate.count ? alone(m, &m->candidate, candidate) : GRAZE_OK;

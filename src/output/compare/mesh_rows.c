@@ -147,8 +147,6 @@ static graze_status count_mesh_row(graze_comparison *c, const mesh_run *r, size_
 /* Set names and columns of the golden side and the mesh's side for the report. */
 static graze_status describe(graze_comparison *c, const mesh_run *r,
                              const graze_compare_options *options) {
-    const char *strata = r->points->generator ? ",stratum" : "";
-    const char *winding = r->mesh->rule == GRAZE_MESH_WINDING ? ",winding" : "";
     HELD(text, golden);
     HELD(text, candidate);
     if (!comparison_begin(c, r->context, "", "", options))
@@ -160,8 +158,9 @@ static graze_status describe(graze_comparison *c, const mesh_run *r,
     c->of_mesh = 1;
     c->judged[COLUMN_PMC] = 1;
     c->grouped[BY_STRATUM] = r->points->generator != NULL;
-    text_format(&golden, "id,x,y,z%s,pmc", strata);
-    text_format(&candidate, "id,x,y,z,pmc%s", winding);
+    text_format(&golden, "id,x,y,z%s,pmc", c->grouped[BY_STRATUM] ? ",stratum" : "");
+    text_put(&candidate, "id,x,y,z,pmc");
+    text_put(&candidate, r->mesh->rule == GRAZE_MESH_WINDING ? ",winding" : "");
     c->golden_columns = text_take(&golden);
     c->candidate_columns = text_take(&candidate);
     c->explain_options = strdup(r->points->explain_options ? r->points->explain_options : "");

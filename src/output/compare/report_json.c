@@ -52,33 +52,6 @@ static void put_json_matrix(json_writer *w, const char *name, const char *const 
     json_close(w, '}');
 }
 
-static void put_json_group(json_writer *w, const char *name, const group *one) {
-    if (!one->rows)
-        return;
-    json_open(w, NULL, '{');
-    json_text(w, "value", name);
-    json_count(w, "rows", one->rows);
-    json_count(w, "wrong", one->wrong);
-    json_count(w, "missing", one->missing);
-    json_count(w, "undecided", one->undecided);
-    json_close(w, '}');
-}
-
-static void put_tallies(json_writer *w, const graze_comparison *c) {
-    json_open(w, "by", '{');
-    for (int by = 0; by < GROUPING_COUNT; by++) {
-        const tally *t = &c->tallies[by];
-        if (!c->grouped[by])
-            continue;
-        json_open(w, column_name(groupings[by].of), '[');
-        for (size_t k = 0; k < t->count; k++)
-            put_json_group(w, t->groups[k].name, &t->groups[k]);
-        put_json_group(w, "(others)", &t->others);
-        json_close(w, ']');
-    }
-    json_close(w, '}');
-}
-
 /* Write errors as members of the JSON object that is open. */
 static void put_json_errors(json_writer *w, const graze_comparison *c, const errors *e) {
     json_count(w, "values", e->rows);
@@ -91,26 +64,34 @@ static void put_json_errors(json_writer *w, const graze_comparison *c, const err
     put_ceiling(w, "largest-over", e->largest_over);
 }
 
-static void put_json_group_errors(json_writer *w, const graze_comparison *c, const char *name,
-                                  const group *one) {
-    if (!one->values)
+/* Write the counts of a group or, if `values`, the errors of its values; nothing without any. */
+static void put_json_group(json_writer *w, const graze_comparison *c, const char *name,
+                           const group *one, int values) {
+    if (values ? !one->values : !one->rows)
         return;
     json_open(w, NULL, '{');
     json_text(w, "value", name);
-    put_json_errors(w, c, one->values);
+    if (values) {
+        put_json_errors(w, c, one->values);
+    } else {
+        json_count(w, "rows", one->rows);
+        json_count(w, "wrong", one->wrong);
+        json_count(w, "missing", one->missing);
+        json_count(w, "undecided", one->undecided);
+    }
     json_close(w, '}');
 }
 
-static void put_json_errors_by(json_writer *w, const graze_comparison *c) {
+static void put_json_groups(json_writer *w, const graze_comparison *c, int values) {
     json_open(w, "by", '{');
-    for (int b = 0; b < SHOWN_BY; b++) {
-        const tally *t = &c->tallies[shown_by[b]];
-        if (!c->grouped[shown_by[b]])
+    for (int by = 0; by < (values ? (int)SHOWN_BY : (int)GROUPING_COUNT); by++) {
+        const tally *t = &c->tallies[by];
+        if (!c->grouped[by])
             continue;
-        json_open(w, column_name(groupings[shown_by[b]].of), '[');
+        json_open(w, column_name(groupings[by].of), '[');
         for (size_t k = 0; k < t->count; k++)
-            put_json_group_errors(w, c, t->groups[k].name, &t->groups[k]);
-        put_json_group_errors(w, c, "(others)", &t->others);
+            put_json_group(w, c, t->groups[k].name, &t->groups[k], values);
+        put_json_group(w, c, "(others)", &t->others, values);
         json_close(w, ']');
     }
     json_close(w, '}');
@@ -127,7 +108,7 @@ static void put_json_values(json_writer *w, const graze_comparison *c) {
     json_text(w, "truth", truth_name(c));
     json_text(w, "tolerance", c->options.sdf_tolerance);
     put_json_errors(w, c, &c->values);
-    put_json_errors_by(w, c);
+    put_json_groups(w, c, 1);
     json_close(w, '}');
 }
 
@@ -165,7 +146,7 @@ graze_status comparison_json(char **out, graze_context *context, const graze_com
         put_json_matrix(w, "pmc", pmc_words, 3, &c->confusion.pmc[0][0]);
     if (c->judged[COLUMN_CLASS])
         put_json_matrix(w, "class", class_words, 5, &c->confusion.class_[0][0]);
-    put_tallies(w, c);
+    put_json_groups(w, c, 0);
     put_json_values(w, c);
     put_json_disagreements(w, c);
     json_close(w, '}');

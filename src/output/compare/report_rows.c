@@ -51,14 +51,6 @@ void put_matched(text *out, const graze_comparison *c) {
     text_put(out, "\n");
 }
 
-/* Append a line on the points that lie on a judged mesh; nothing if tables are compared. */
-static void put_apart(text *out, const graze_comparison *c) {
-    if (c->of_mesh)
-        text_format(
-            out, "on the mesh: %lu points whose golden answer is `in` or `out`, undecided here\n",
-            c->apart);
-}
-
 /* Append a line on the wrong rows under each convention for `on`, if the candidate never answers
  * `on`. */
 static void put_conventions(text *out, const graze_comparison *c) {
@@ -86,7 +78,10 @@ void put_wrong_rows(text *out, const graze_comparison *c) {
         if (c->judged[j])
             text_format(out, "; %s %lu", column_name(j), c->column_wrong[j]);
     text_put(out, "\n");
-    put_apart(out, c);
+    if (c->of_mesh)
+        text_format(
+            out, "on the mesh: %lu points whose golden answer is `in` or `out`, undecided here\n",
+            c->apart);
     put_conventions(out, c);
 }
 

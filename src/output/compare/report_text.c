@@ -6,8 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const grouping shown_by[SHOWN_BY] = {BY_STRATUM, BY_DISTANCE, BY_SDF};
-
 const char *truth_name(const graze_comparison *c) {
     return c->options.truth == GRAZE_TRUTH_OUTSIDE ? "outside" : "pseudo";
 }
@@ -115,12 +113,12 @@ static void put_values(text *out, const graze_comparison *c) {
 }
 
 static void put_values_by(text *out, const graze_comparison *c) {
-    for (int b = 0; b < SHOWN_BY && c->valued; b++) {
-        const tally *t = &c->tallies[shown_by[b]];
+    for (int by = 0; by < SHOWN_BY && c->valued; by++) {
+        const tally *t = &c->tallies[by];
         if (!t->count)
             continue;
-        text_format(out, "\nErrors of sdf by %s:\n", groupings[shown_by[b]].title);
-        put_errors_head(out, column_name(groupings[shown_by[b]].of));
+        text_format(out, "\nErrors of sdf by %s:\n", groupings[by].title);
+        put_errors_head(out, column_name(groupings[by].of));
         for (size_t k = 0; k < t->count; k++)
             if (t->groups[k].values)
                 put_errors_line(out, c, t->groups[k].name, t->groups[k].values);

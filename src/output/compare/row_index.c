@@ -40,7 +40,7 @@ static graze_status keep_indexed(row_index *x, const table_row *row) {
     char *text = table_row_text(row);
     if (!text)
         return comparison_no_memory(context);
-    x->rows[x->count++] = (kept_row){row->line, row->number, text, SLOTS_NONE};
+    x->rows[x->count++] = (kept_row){row->line, text, SLOTS_NONE};
     return GRAZE_OK;
 }
 
@@ -67,7 +67,6 @@ static graze_status give(row_index *x, const table_row **out, kept_row *kept) {
     row->capacity = length + 1;
     kept->text = NULL;
     row->line = kept->line;
-    row->number = kept->number;
     *out = row;
     return fields_read(&row->cut, x->table->in.context, x->table->in.name, row->line,
                        (field){row->bytes, length}, ',');

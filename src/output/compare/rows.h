@@ -3,7 +3,6 @@
 #ifndef GRAZE_OUTPUT_COMPARE_ROWS_H
 #define GRAZE_OUTPUT_COMPARE_ROWS_H
 
-#include <flint/fmpq.h>
 #include <stdint.h>
 #include "output/compare/compare.h"
 
@@ -61,7 +60,7 @@ typedef struct digest {
 
 /** A row with bytes of its own. */
 typedef struct table_row {
-    unsigned long line, number; /* in the file, and among the rows, from 1 */
+    unsigned long line; /* in the file */
     char *bytes;
     size_t capacity;
     fields cut;
@@ -69,9 +68,9 @@ typedef struct table_row {
     digest key; /* of the row's id, or of its point and, for contact points, time */
 } table_row;
 
-/** The name of a column or of a `#` line. */
+/** The name of a column, and names of `#` lines. */
 const char *column_name(column c);
-const char *note_name(note n);
+extern const char *const note_names[NOTE_COUNT];
 /** The first column of an option of graze classify. */
 column column_of(const char *option);
 
@@ -131,9 +130,9 @@ graze_status key_make(table_row *row, const row_key *key, const table *t);
 
 /** A row that is kept. */
 typedef struct kept_row {
-    unsigned long line, number; /* in the file, and among the rows */
-    char *text;                 /* malloc'ed; NULL once it is handed out */
-    size_t next;                /* the next row of its key, or SLOTS_NONE */
+    unsigned long line; /* in the file */
+    char *text;         /* malloc'ed; NULL once it is handed out */
+    size_t next;        /* the next row of its key, or SLOTS_NONE */
 } kept_row;
 
 /** The rows of a key that are not yet handed out; `first` is SLOTS_NONE if there are none. */

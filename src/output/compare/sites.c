@@ -6,7 +6,6 @@
  */
 #include "output/compare/judgement.h"
 
-#include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
@@ -78,16 +77,14 @@ graze_status sites_choose(graze_comparison *c, const table *golden, const table 
 }
 
 /* Words that a column may have, with blanks around each; NULL: it has other answers. */
-static const char *words_of(column c) {
-    return c == COLUMN_ROLE          ? " contact egress ingress hidden "
-           : c == COLUMN_THETA       ? " + 0 - "
-           : c == COLUMN_ORIENTATION ? " preserving reversing degenerate "
-           : c == COLUMN_LEFT        ? " I B O "
-           : c == COLUMN_RIGHT       ? " I B O "
-           : c == COLUMN_TRIMMED     ? " yes no "
-           : c == COLUMN_STATUS      ? " slides simple meets trimmed_near trimmed_far "
-                                     : NULL;
-}
+static const char *const words_of[COLUMN_OPTIONS] = {
+    [COLUMN_ROLE] = " contact egress ingress hidden ",
+    [COLUMN_THETA] = " + 0 - ",
+    [COLUMN_ORIENTATION] = " preserving reversing degenerate ",
+    [COLUMN_LEFT] = " I B O ",
+    [COLUMN_RIGHT] = " I B O ",
+    [COLUMN_TRIMMED] = " yes no ",
+    [COLUMN_STATUS] = " slides simple meets trimmed_near trimmed_far "};
 
 /* Is a field one of the words? */
 static int is_site_word(field f, const char *words) {
@@ -130,29 +127,22 @@ static const char *site_answer_fault(field f, column c) {
         return rational_is_token(f.start, f.length) && *f.start != '-' ? NULL
                                                                        : "a number from 0 up";
     default:
-        return is_site_word(f, words_of(c)) ? NULL : words_of(c);
+        return is_site_word(f, words_of[c]) ? NULL : words_of[c];
     }
-}
-
-/* Check the value of a field that has the form of a number: it may be no number, or beyond a limit.
- */
-static graze_status check_number(const table *t, const table_row *row, column c) {
-    field f = table_field(t, row, c);
-    LOCAL(fmpq, value);
-    return rational_is_token(f.start, f.length) ? table_rational(value, t, row, c) : GRAZE_OK;
 }
 
 static graze_status check_answer(const table *t, const table_row *row, column c) {
     field f = table_field(t, row, c);
+    LOCAL(fmpq, value);
     if (!f.length)
         return GRAZE_OK;
     if (c == COLUMN_WORD)
         return judged_word(t, row);
     const char *expected = site_answer_fault(f, c);
-    if (!expected)
-        return check_number(t, row, c);
+    if (!expected) /* a field of the form of a number may be no number, or beyond a limit */
+        return rational_is_token(f.start, f.length) ? table_rational(value, t, row, c) : GRAZE_OK;
     char text[64] = "one of";
-    if (expected == words_of(c)) {
+    if (expected == words_of[c]) {
         strncat(text, expected, sizeof text - strlen(text) - 1);
         text[strlen(text) - 1] = '\0'; /* the blank behind the last word */
         expected = text;

@@ -19,7 +19,7 @@ static const char *const column_names[COLUMN_OPTIONS] = {
     "orientation", "left",  "right",      "trimmed", "status",  "near",  "near_in",
     "word",        "shift", "sdf"};
 
-static const char *const note_names[NOTE_COUNT] = {
+const char *const note_names[NOTE_COUNT] = {
     "graze",     "dimension", "solid-sha256", "motion-sha256", "scene-sha256", "at-rest",
     "operation", "folds",     "round",        "triangulate",   "columns",      "diagonal"};
 
@@ -31,10 +31,6 @@ column column_of(const char *option) {
     return (column)(COLUMN_OPTIONS + columns_place(option));
 }
 
-const char *note_name(note n) {
-    return note_names[n];
-}
-
 field table_field(const table *t, const table_row *row, column c) {
     return t->where[c] < 0 ? (field){"", 0} : field_content(row->cut.item[t->where[c]]);
 }
@@ -43,8 +39,6 @@ graze_status table_rational(fmpq_t out, const table *t, const table_row *row, co
     graze_context *context = t->in.context;
     field f = table_field(t, row, c);
     graze_status status = rational_parse(out, context, f.start, f.length);
-    if (!status)
-        return GRAZE_OK;
     context_item(context, status, NULL, 0, column_name(c));
     return context_in(context, status, t->in.name, row->line);
 }
@@ -180,9 +174,8 @@ static graze_status fix_columns(table *t, const table_row *row) {
                 t->where[c] = (long)k;
         }
     t->columns = row->cut.count;
-    int has_z = t->where[COLUMN_Z] >= 0;
     if (t->where[COLUMN_X] >= 0 && t->where[COLUMN_Y] >= 0)
-        t->dimension = has_z ? 3 : 2;
+        t->dimension = t->where[COLUMN_Z] >= 0 ? 3 : 2;
     if (t->notes[NOTE_DIMENSION] && t->dimension == 3 && strcmp(t->notes[NOTE_DIMENSION], "2") == 0)
         t->dimension = 2;
     return GRAZE_OK;
@@ -223,7 +216,7 @@ graze_status table_next(table *t, table_row *row, int *more) {
         return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
                                "%zu columns; expected %zu, as on the column line", row->cut.count,
                                t->columns);
-    row->number = ++t->rows;
+    t->rows++;
     return GRAZE_OK;
 }
 

@@ -6,11 +6,11 @@
  */
 #include "output/compare/counts.h"
 
-#include <flint/fmpq_vec.h>
 #include <stdio.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
+#include "base/number/vector.h"
 
 /* Read the number of an option, 0 if there is none; its sign must be at least `least`. */
 static graze_status read_amount(fmpq_t out, graze_context *context, const char *name,
@@ -201,23 +201,17 @@ graze_status drift_add(drift *d, const table_row *right, const table_row *given)
     return GRAZE_OK;
 }
 
-/* The larger of two numbers' absolute values. */
-static void larger_size(fmpq_t out, const fmpq_t a, const fmpq_t b) {
-    LOCAL(fmpq, size);
-    fmpq_abs(out, a);
-    fmpq_abs(size, b);
-    if (fmpq_cmp(size, out) > 0)
-        fmpq_swap(size, out);
-}
-
 int drift_is_small(const drift *d) {
     int small = 0;
     LOCAL(fmpq, bound);
+    LOCAL_VEC(fmpq, ends, 2);
     for (int k = 0; k < 3 && !small; k++) {
-        fmpq_sub(bound, d->most + k, d->least + k);
+        fmpq_set(ends, d->most + k);
+        fmpq_set(ends + 1, d->least + k);
+        fmpq_sub(bound, ends, ends + 1);
         fmpq_div_2exp(bound, bound, BOX_BITS);
         small = fmpq_cmp(d->farthest, bound) <= 0;
-        larger_size(bound, d->most + k, d->least + k);
+        vector_widest(bound, ends, 2);
         fmpq_div_2exp(bound, bound, SIZE_BITS);
         small |= fmpq_cmp(d->farthest, bound) <= 0;
     }

@@ -60,12 +60,10 @@ graze_status save_file(graze_context *context, const char *file, const text *byt
     return GRAZE_OK;
 }
 
-graze_status canvas_finish(canvas *c, graze_context *context, const char *file, int write) {
-    if (!c)
-        return GRAZE_OK;
-    graze_status status = GRAZE_OK;
+graze_status canvas_finish(canvas *c, graze_context *context, const char *file,
+                           graze_status status) {
     HELD(text, bytes);
-    if (write) {
+    if (!status) {
         c->kind->finish(c, append_bytes, &bytes);
         status = c->failed || bytes.failed
                      ? context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture")
@@ -206,8 +204,6 @@ graze_status canvas_check(graze_context *context, const char *file) {
 
 graze_status canvas_create(canvas **out, graze_context *context, const char *file, double width,
                            double height) {
-    *out = NULL;
-    TRY(canvas_check(context, file));
     if (file_has_extension(file, "svg"))
         return canvas_create_svg(out, context, width, height);
     return create_png(out, context, width, height, file_has_extension(file, "pdf"));

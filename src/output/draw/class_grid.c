@@ -3,7 +3,6 @@
  */
 #include "output/draw/views.h"
 
-#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"

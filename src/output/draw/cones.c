@@ -3,8 +3,6 @@
  */
 #include "output/draw/views.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -232,9 +230,8 @@ static void draw_heading(cones_maker *m, const fmpq *point) {
 
 static graze_status draw_rings(cones_maker *m, const char *file, const fmpq *point) {
     double height = fmax(LEAST_HEIGHT, FIRST_LINE + LINE * (double)(m->count + 2));
-    graze_status status = canvas_create(&m->canvas, m->context, file, WIDTH, height);
-    if (status)
-        return status;
+    graze_status status = GRAZE_OK;
+    TRY(canvas_create(&m->canvas, m->context, file, WIDTH, height));
     m->width = fmin(WIDEST, (double)(OUTER - INNER) / (double)(m->count + !m->count));
     draw_heading(m, point);
     for (size_t k = 0; k < m->count && !status; k++)
@@ -243,8 +240,7 @@ static graze_status draw_rings(cones_maker *m, const char *file, const fmpq *poi
         draw_witness(m, point);
     mark_point(m->canvas, MIDDLE_X, MIDDLE_Y, MARK_RADIUS, TONE_ON);
     draw_legend(m);
-    graze_status written = canvas_finish(m->canvas, m->context, file, !status);
-    return status ? status : written;
+    return canvas_finish(m->canvas, m->context, file, status);
 }
 
 graze_status draw_cones(graze_context *context, const graze_scene *scene, const char *file,

@@ -3,9 +3,7 @@
  */
 #include "output/draw/views.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 
@@ -159,8 +157,7 @@ static graze_status draw_all(picture *p, graze_context *context, const char *fil
     canvas_begin(c, "legend", NULL);
     legend_draw(c, &p->legend, l.legend_x, HEAD + PANEL_ABOVE);
     canvas_end(c);
-    graze_status written = canvas_finish(c, context, file, !status);
-    return status ? status : written;
+    return canvas_finish(c, context, file, status);
 }
 
 static graze_status make_picture(picture *p, graze_context *context, const char *file) {

@@ -3,7 +3,6 @@
 #ifndef GRAZE_OUTPUT_DRAW_H
 #define GRAZE_OUTPUT_DRAW_H
 
-#include <flint/fmpq.h>
 #include <stddef.h>
 #include <stdint.h>
 #include "base/number/text.h"

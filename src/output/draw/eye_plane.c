@@ -4,7 +4,6 @@
  * Values are scaled, since only signs and directions are needed. The boundary crosses a side of a
  * lattice's square if the expression holds at one end alone.
  */
-#include <flint/fmpz.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -113,10 +112,6 @@ typedef struct outliner {
     size_t room, item_room; /* capacity for vertices and for segments */
 } outliner;
 
-static int holds_at(outliner *o, double x, double y) {
-    return eye_field_holds(&o->field, (double[]){x, y});
-}
-
 static graze_status prepare_outline(outliner *o, const csg *solid) {
     graze_status status = eye_field_make(&o->field, o->context, solid);
     o->inside = calloc(ACROSS * ACROSS, 1);
@@ -132,31 +127,33 @@ static double lattice_place_of(const outliner *o, int axis, double k) {
     return o->low[axis] + (k - .37) * o->step[axis];
 }
 
+/* Is the place of lattice coordinates inside? */
+static int holds_at(outliner *o, double i, double j) {
+    const double place[2] = {lattice_place_of(o, 0, i), lattice_place_of(o, 1, j)};
+    return eye_field_holds(&o->field, place);
+}
+
 /* Find the vertex on the side that begins at a corner; the side is vertical if `up`. */
 static graze_status find_side_point(uint32_t *out, outliner *o, size_t i, size_t j, int up) {
     uint32_t *known = &o->crossing[2 * (j * ACROSS + i) + (size_t)up];
     size_t n = o->out->input.vertex_count;
     double from = 0, to = 1;
     int begins = o->inside[j * ACROSS + i];
-    graze_status status = GRAZE_OK;
-    if (!*known)
-        status = array_grow(o->context, &o->out->low, &o->room, 2 * n + 2, sizeof *o->out->low,
-                            "an outline");
-    if (!*known && !status) {
+    if (!*known) {
+        TRY(array_grow(o->context, &o->out->low, &o->room, 2 * n + 2, sizeof *o->out->low,
+                       "an outline"));
         double at[2] = {(double)i, (double)j};
         for (int k = 0; k < HALVINGS; k++) {
             double middle = (from + to) / 2;
             at[up] = (double)(up ? j : i) + middle;
-            int same =
-                holds_at(o, lattice_place_of(o, 0, at[0]), lattice_place_of(o, 1, at[1])) == begins;
-            *(same ? &from : &to) = middle;
+            *(holds_at(o, at[0], at[1]) == begins ? &from : &to) = middle;
         }
         for (int axis = 0; axis < 2; axis++)
             o->out->low[2 * n + (size_t)axis] = lattice_place_of(o, axis, at[axis]);
         *known = (uint32_t)++o->out->input.vertex_count;
     }
     *out = *known - 1;
-    return status;
+    return GRAZE_OK;
 }
 
 /* Add the segments of a square, which join its crossed sides two by two in their order around it.
@@ -183,9 +180,7 @@ static graze_status add_square(outliner *o, size_t i, size_t j) {
 
 static graze_status trace_outline(outliner *o) {
     for (size_t k = 0; k < ACROSS * ACROSS; k++) {
-        double i = (double)(k % ACROSS), j = (double)(k / ACROSS);
-        o->inside[k] =
-            (unsigned char)holds_at(o, lattice_place_of(o, 0, i), lattice_place_of(o, 1, j));
+        o->inside[k] = (unsigned char)holds_at(o, (double)(k % ACROSS), (double)(k / ACROSS));
         TRY(context_poll(o->context));
     }
     for (size_t k = 0; k < SQUARES * SQUARES; k++)

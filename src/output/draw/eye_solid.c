@@ -49,20 +49,12 @@ static int holds_in(surface_maker *m, const double at[3]) {
 }
 
 /* Corners at the lattice's border lie outside the box, so that sides there are never crossed. */
-static int is_border(const size_t at[3]) {
-    int border = 0;
-    for (int k = 0; k < 3; k++)
-        border |= at[k] == 0 || at[k] == ALONG - 1;
-    return border;
-}
-
 static graze_status mark_corners(surface_maker *m) {
     size_t at[3];
-    for (at[2] = 0; at[2] < ALONG; at[2]++)
-        for (at[1] = 0; at[1] < ALONG; at[1]++) {
-            for (at[0] = 0; at[0] < ALONG; at[0]++)
+    for (at[2] = 1; at[2] < ALONG - 1; at[2]++)
+        for (at[1] = 1; at[1] < ALONG - 1; at[1]++) {
+            for (at[0] = 1; at[0] < ALONG - 1; at[0]++)
                 m->inside[cell_index(at)] =
-                    !is_border(at) &&
                     holds_in(m, (double[]){(double)at[0], (double)at[1], (double)at[2]});
             TRY(context_poll(m->context));
         }

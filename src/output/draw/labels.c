@@ -97,36 +97,23 @@ void labels_avoid_path(labels *l, const drawn_path *p) {
 /* A name remains legible if its box shares at most this number of square pixels with obstacles. */
 static const double FREE = 12;
 
-/* A rectangle and the area that it has in common with obstacles. */
-typedef struct overlap {
-    const obstacle *of;
-    double area;
-    int marks_only;
-} overlap;
-
-/* Add the areas that obstacles of a bin have in common with the rectangle. Each common area is
- * counted in one bin alone, that of its upper left corner. */
-static void add_overlaps(overlap *sum, const labels *l, int row, int column) {
-    const obstacle *o = sum->of;
-    for (size_t k = l->first[row][column]; k && sum->area <= FREE; k = l->link[k - 1].next) {
-        const obstacle *other = &l->item[l->link[k - 1].item - 1];
-        double x = fmax(o->x, other->x), y = fmax(o->y, other->y);
-        double w = fmin(o->x + o->width, other->x + other->width) - x;
-        double h = fmin(o->y + o->height, other->y + other->height) - y;
-        if (w > 0 && h > 0 && bin_of(l, 0, x) == column && bin_of(l, 1, y) == row &&
-            !(sum->marks_only && other->kind != OBSTACLE_MARK))
-            sum->area += w * h;
-    }
-}
-
-/* The area that a box has in common with the obstacles; the sum stops once it exceeds FREE. */
+/* The area that a box has in common with the obstacles; the sum stops once it exceeds FREE. Each
+ * common area is counted in one bin alone, that of its upper left corner. */
 static double common_area(const labels *l, const obstacle *o, int marks_only) {
-    overlap sum = {o, 0, marks_only};
+    double sum = 0;
     bin_range bins = bins_of(l, o);
     for (int row = bins.low[1]; row <= bins.high[1]; row++)
         for (int column = bins.low[0]; column <= bins.high[0]; column++)
-            add_overlaps(&sum, l, row, column);
-    return sum.area;
+            for (size_t k = l->first[row][column]; k && sum <= FREE; k = l->link[k - 1].next) {
+                const obstacle *other = &l->item[l->link[k - 1].item - 1];
+                double x = fmax(o->x, other->x), y = fmax(o->y, other->y);
+                double w = fmin(o->x + o->width, other->x + other->width) - x;
+                double h = fmin(o->y + o->height, other->y + other->height) - y;
+                if (w > 0 && h > 0 && bin_of(l, 0, x) == column && bin_of(l, 1, y) == row &&
+                    !(marks_only && other->kind != OBSTACLE_MARK))
+                    sum += w * h;
+            }
+    return sum;
 }
 
 int labels_meet_mark(const labels *l, double x, double y, double radius) {

@@ -3,7 +3,6 @@
 #ifndef GRAZE_OUTPUT_DRAW_PANEL_H
 #define GRAZE_OUTPUT_DRAW_PANEL_H
 
-#include <flint/fmpq.h>
 #include <stddef.h>
 #include <stdint.h>
 #include "output/draw/draw.h"

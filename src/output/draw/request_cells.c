@@ -3,7 +3,6 @@
  */
 #include "output/draw/views.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
@@ -17,13 +16,10 @@ static graze_status roomy_box(fmpq *low, fmpq *high, graze_context *context,
                               const graze_scene *scene) {
     int d = scene->motion->dimension;
     TRY(scene_box(low, high, context, scene));
-    LOCAL_VEC(fmpq, margin, 2);
-    fmpq *side = margin + 1;
-    for (int k = 0; k < d; k++) {
-        fmpq_sub(side, high + k, low + k);
-        if (fmpq_cmp(side, margin) > 0)
-            fmpq_set(margin, side);
-    }
+    LOCAL_VEC(fmpq, sides, d);
+    LOCAL(fmpq, margin);
+    vector_sub(sides, high, low, d);
+    vector_widest(margin, sides, d);
     fmpq_div_2exp(margin, margin, 4);
     for (int k = 0; k < d; k++) {
         fmpq_sub(low + k, low + k, margin);

@@ -3,7 +3,6 @@
  */
 #include "output/draw/panel.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
@@ -11,13 +10,8 @@
 
 /* Divide a vector by the absolute value of its largest entry. */
 static void divide_by_largest(fmpq *v) {
-    LOCAL_VEC(fmpq, most, 2);
-    fmpq *size = most + 1;
-    for (int k = 0; k < 3; k++) {
-        fmpq_abs(size, v + k);
-        if (fmpq_cmp(size, most) > 0)
-            fmpq_set(most, size);
-    }
+    LOCAL(fmpq, most);
+    vector_widest(most, v, 3);
     for (int k = 0; k < 3; k++)
         fmpq_div(v + k, v + k, most);
 }
@@ -113,17 +107,11 @@ static void hold_point(fmpq *low, fmpq *high, int first, const section *s, const
 
 /* The point in which the line from a to b meets the plane; a and b are on different sides. */
 static void meet_edge(fmpq *out, const section *s, const fmpq *a, const fmpq *b) {
-    LOCAL_VEC(fmpq, from, 3);
-    fmpq *to = from + 1, *share = from + 2;
+    LOCAL(fmpq, from);
+    LOCAL(fmpq, to);
     height_of(from, s, a);
     height_of(to, s, b);
-    fmpq_sub(share, from, to);
-    fmpq_div(share, from, share);
-    for (int k = 0; k < 3; k++) {
-        fmpq_sub(out + k, b + k, a + k);
-        fmpq_mul(out + k, out + k, share);
-        fmpq_add(out + k, out + k, a + k);
-    }
+    vector_zero(out, a, b, from, to, 3);
 }
 
 /* Enlarge an interval so that its ends are multiples of a power of two that is 2^-12 to 2^-13 of

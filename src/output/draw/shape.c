@@ -3,7 +3,6 @@
  */
 #include "output/draw/views.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
@@ -157,34 +156,22 @@ void chain_path(drawn_path *out, const chain_segment *segments, size_t count, do
     }
 }
 
-/* The least distance in pixels between nodes of a line, in a mesh of `count` simplices. */
-static double nodes_apart(size_t count) {
-    enum { DENSE = 2000 };
-    return count < DENSE ? 0 : .4;
-}
-
-/* The point in which the line through two vertices meets the plane; one vertex is above it. */
-static void meet_plane(double out[3], const double *a, const double *b, const double normal[3],
-                       double place) {
-    double from = dot3(normal, a), share = (place - from) / (dot3(normal, b) - from);
-    for (int k = 0; k < 3; k++)
-        out[k] = a[k] + share * (b[k] - a[k]);
-}
-
 /* Find the segment in which a triangle meets the plane; 0 if its vertices are all on one side. */
 static int slice_triangle(chain_segment *out, const shape *s, const simplex *f, const panel *p,
                           const double normal[3], double place) {
     int ends = 0;
     for (int k = 0; k < 3; k++) {
-        uint64_t from = f->vertex[k], to = f->vertex[(k + 1) % 3];
-        const double *a = s->at + 3 * from, *b = s->at + 3 * to;
-        double end[3];
-        if ((dot3(normal, a) >= place) == (dot3(normal, b) >= place))
-            continue;
+        uint64_t v = f->vertex[k], w = f->vertex[(k + 1) % 3];
         /* The ends are ordered, so that both triangles of the edge find the same point. */
-        meet_plane(end, from < to ? a : b, from < to ? b : a, normal, place);
+        uint64_t from = v < w ? v : w, to = v < w ? w : v;
+        const double *a = s->at + 3 * from, *b = s->at + 3 * to;
+        double end[3], at_a = dot3(normal, a), at_b = dot3(normal, b);
+        if ((at_a >= place) == (at_b >= place))
+            continue;
+        for (int i = 0; i < 3; i++)
+            end[i] = a[i] + (place - at_a) / (at_b - at_a) * (b[i] - a[i]);
         panel_map(&out->x[ends], &out->y[ends], p, end);
-        out->key[ends++] = from < to ? from << 32 | to : to << 32 | from;
+        out->key[ends++] = from << 32 | to;
     }
     return ends == 2;
 }
@@ -199,6 +186,7 @@ static void map_side(chain_segment *out, const shape *s, const simplex *f, const
 
 void shape_outline(drawn_path *out, const shape *s, const panel *p, const double *normal,
                    double place) {
+    enum { DENSE = 2000 }; /* simplices of a mesh whose nodes are kept apart */
     const simplices *cut = &s->solid->cut;
     FREED(chain_segment, segments, calloc(cut->count + 1, sizeof *segments));
     size_t n = 0;
@@ -209,5 +197,5 @@ void shape_outline(drawn_path *out, const shape *s, const panel *p, const double
         else
             map_side(&segments[n++], s, &cut->item[f], p);
     if (segments)
-        chain_path(out, segments, n, nodes_apart(cut->count));
+        chain_path(out, segments, n, cut->count < DENSE ? 0 : .4);
 }

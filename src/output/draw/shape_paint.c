@@ -65,12 +65,6 @@ static uint32_t least_of_face(uint32_t *face, uint32_t simplex) {
     return simplex;
 }
 
-static void join_faces(uint32_t *face, uint32_t a, uint32_t b) {
-    a = least_of_face(face, a);
-    b = least_of_face(face, b);
-    face[a > b ? a : b] = a > b ? b : a;
-}
-
 static size_t list_sides(shown_edge *out, const graze_solid *solid) {
     size_t n = 0;
     for (size_t s = 0; s < solid->cut.count; s++) {
@@ -85,8 +79,11 @@ static size_t list_sides(shown_edge *out, const graze_solid *solid) {
 /* Take an edge of `count` sides: it is shown, or it joins two triangles of one face. */
 static void take_edge(edge_list *out, const graze_solid *solid, const shown_edge *e, size_t count) {
     double cosine = bend(solid, e, count);
-    if (cosine > cosine_flat)
-        join_faces(out->face, e[0].simplex, e[1].simplex);
+    if (cosine > cosine_flat) {
+        uint32_t a = least_of_face(out->face, e[0].simplex);
+        uint32_t b = least_of_face(out->face, e[1].simplex);
+        out->face[a > b ? a : b] = a > b ? b : a;
+    }
     if (e->diagonal || cosine > (solid->cut.count >= DENSE ? cosine_dense : cosine_flat))
         return;
     for (size_t i = 0; i < count; i++)
@@ -105,8 +102,7 @@ graze_status edges_make(edge_list *out, graze_context *context, const graze_soli
     for (size_t s = 0; s < n; s++)
         out->face[s] = (uint32_t)s;
     n = list_sides(out->item, solid);
-    if (n)
-        qsort(out->item, n, sizeof *out->item, compare_edges);
+    qsort(out->item, n, sizeof *out->item, compare_edges);
     for (size_t k = 0, next; k < n; k = next) {
         for (next = k + 1; next < n && same_edge(&out->item[k], &out->item[next]);)
             next++;

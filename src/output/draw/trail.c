@@ -3,8 +3,6 @@
  */
 #include "output/draw/panel.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -113,8 +111,7 @@ static moment moment_of(graze_time *time) {
             break;
         algebraic_refine(&time->u);
     }
-    moment m = {time->piece, (fmpq_get_d(low) + fmpq_get_d(high)) / 2};
-    return m;
+    return (moment){time->piece, (fmpq_get_d(low) + fmpq_get_d(high)) / 2};
 }
 
 static void vertex_place(double out[3], const graze_solid *solid, size_t vertex) {

@@ -13,8 +13,9 @@ void drawn_path_to(drawn_path *p, char verb, double x, double y);
 void drawn_path_line(drawn_path *p, double x0, double y0, double x1, double y1);
 void drawn_path_box(drawn_path *p, double x0, double y0, double x1, double y1);
 
-/** Write the file, unless `write` is 0, and free the canvas. NULL is allowed. */
-graze_status canvas_finish(canvas *c, graze_context *context, const char *file, int write);
+/** Write the file, unless `status` is a failure of drawing, which is returned; free the canvas. */
+graze_status canvas_finish(canvas *c, graze_context *context, const char *file,
+                           graze_status status);
 
 /** Begin a part of the picture with a name and perhaps attributes, `key="value"` as in SVG. */
 void canvas_begin(canvas *c, const char *name, const char *attributes);
@@ -143,8 +144,7 @@ enum { LEGEND_WIDTH = 190 };
 /** Check before long work that canvas_create can make the picture: GRAZE_EUSE an extension other
  * than .svg, .png and .pdf, GRAZE_ESYSTEM no library for the last two. */
 graze_status canvas_check(graze_context *context, const char *file);
-/** Create a canvas of the kind of the file's extension. Statuses of canvas_check, or GRAZE_ESYSTEM.
- */
+/** Create a canvas of the kind of the file's extension, after canvas_check. */
 graze_status canvas_create(canvas **out, graze_context *context, const char *file, double width,
                            double height);
 

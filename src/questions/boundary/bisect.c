@@ -13,7 +13,6 @@
  */
 #include "questions/boundary/sampling.h"
 
-#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/context/team.h"
@@ -115,20 +114,10 @@ static graze_status bisect(bisection *x) {
             TRY(try_simplest(x));
             continue;
         }
-        fmpq_add(x->share, x->outside, x->inside);
-        fmpq_div_2exp(x->share, x->share, 1);
+        vector_middle(x->share, x->outside, x->inside, 1);
         TRY(ask_share(x));
     }
     return GRAZE_OK;
-}
-
-/* The share of the vertex: `inside` if the point there is on and is not the end of the edge, else
- * the mean of both shares. */
-static void vertex_share(fmpq_t out, const fmpq_t outside, const fmpq_t inside, int on) {
-    if (on && !fmpq_is_one(inside))
-        fmpq_set(out, inside);
-    else
-        vector_middle(out, outside, inside, 1);
 }
 
 /* Place one vertex, as work of a team: `data` is an array of bisections, one for each member. */
@@ -207,8 +196,10 @@ void bisect_vertex(fmpq *out, const struct graze_boundary *b, size_t index) {
         return;
     }
     LOCAL(fmpq, share);
+    const fmpq *outside = b->shares + 2 * index, *inside = outside + 1;
+    /* The vertex is at `inside` if the point there is on and is not the end of the edge. */
+    int exact = b->vertices.value[index] == GRAZE_ON && !fmpq_is_one(inside);
+    vector_middle(share, exact ? inside : outside, inside, 1);
     edge_of(from, step, b, b->vertices.key[index]);
-    vertex_share(share, b->shares + 2 * index, b->shares + 2 * index + 1,
-                 b->vertices.value[index] == GRAZE_ON);
     point_at(out, b, from, step, share);
 }

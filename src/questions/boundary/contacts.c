@@ -71,8 +71,7 @@ static graze_status ask_rows(graze_context *context, struct graze_boundary *b,
         TRY(generator_sample(&s, context, generator, row));
         TRY(ask(context, b, s.point));
     }
-    if (b->contact_count)
-        qsort(b->contacts, b->contact_count, sizeof *b->contacts, compare_codes);
+    qsort(b->contacts, b->contact_count, sizeof *b->contacts, compare_codes);
     return GRAZE_OK;
 }
 

@@ -8,7 +8,6 @@
  */
 #include "questions/boundary/sampling.h"
 
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 
@@ -64,14 +63,6 @@ graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, asker *a, const
     return GRAZE_OK;
 }
 
-/* The axis along which `way` is longest, measured in cells. */
-static int main_axis(const struct graze_boundary *b, const fmpq *way) {
-    LOCAL_VEC(fmpq, share, 4);
-    for (int k = 0; k < b->dimension; k++)
-        fmpq_div(share + k, way + k, b->side + k);
-    return vector_widest(share + 3, share, b->dimension);
-}
-
 /* Set `way` to 2^-bits of a cell along an axis, upward or downward. */
 static void axis_step(fmpq *way, const struct graze_boundary *b, int axis, unsigned bits,
                       int down) {
@@ -107,10 +98,12 @@ graze_status probe_normal(fmpq *out, int *found, asker *a, const fmpq *outside,
                           const fmpq *inside) {
     const struct graze_boundary *b = a->boundary;
     int d = b->dimension;
-    LOCAL_VEC(fmpq, room, 9);
-    fmpq *way = room, *beside = room + 3;
+    LOCAL_VEC(fmpq, room, 13);
+    fmpq *way = room, *beside = room + 3, *share = room + 9;
     vector_sub(way, outside, inside, d);
-    int axis = main_axis(b, way);
+    for (int k = 0; k < d; k++)
+        fmpq_div(share + k, way + k, b->side + k);
+    int axis = vector_widest(share + 3, share, d); /* along which `way` has the most cells */
     axis_step(way, b, axis, WITHIN, fmpq_sgn(way + axis) < 0);
     *found = 1;
     for (int k = 1; k < d && *found; k++)

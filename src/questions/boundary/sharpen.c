@@ -19,7 +19,6 @@
  */
 #include "questions/boundary/sampling.h"
 
-#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"

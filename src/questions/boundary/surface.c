@@ -113,20 +113,12 @@ static graze_status cut_simplex(graze_context *context, struct graze_boundary *b
     return add_faces(context, b, &s);
 }
 
-static int at_border(const struct graze_boundary *b, const sample_cell *c) {
-    uint32_t last = (1u << c->level) - 1;
-    int border = 0;
-    for (int k = 0; k < b->dimension; k++)
-        border |= c->at[k] == 0 || c->at[k] == last;
-    return border;
-}
-
 /* Has the cell, whose corners are out and not out, a corner on the border of the box that is not
  * out? Then the surface ends there.
  */
 static int ends_at_border(const struct graze_boundary *b, const sample_cell *c) {
     uint32_t last = 1u << (b->depth + 1);
-    for (unsigned k = 0; at_border(b, c) && k < 1u << b->dimension; k++) {
+    for (unsigned k = 0; k < 1u << b->dimension; k++) {
         uint64_t key = sample_cell_corner(b, c, k);
         for (int i = 0; i < b->dimension; i++) {
             uint32_t at = key_coordinate(key, i);
@@ -135,14 +127,6 @@ static int ends_at_border(const struct graze_boundary *b, const sample_cell *c) 
         }
     }
     return 0;
-}
-
-/* Begin the patch of a cell: the faces that are added next belong to it. */
-static graze_status begin_patch(graze_context *context, struct graze_boundary *b, size_t index) {
-    TRY(array_grow(context, &b->patches, &b->patch_capacity, b->patch_count + 1, sizeof *b->patches,
-                   "the cells of a boundary"));
-    b->patches[b->patch_count++] = (cell_faces){index, b->face_count};
-    return GRAZE_OK;
 }
 
 graze_status boundary_surface(graze_context *context, struct graze_boundary *b) {
@@ -159,8 +143,11 @@ graze_status boundary_surface(graze_context *context, struct graze_boundary *b) 
             continue;
         }
         b->closed &= !ends_at_border(b, c);
-        if (b->sharp)
-            TRY(begin_patch(context, b, i));
+        if (b->sharp) { /* the faces that are added next belong to the cell's patch */
+            TRY(array_grow(context, &b->patches, &b->patch_capacity, b->patch_count + 1,
+                           sizeof *b->patches, "the cells of a boundary"));
+            b->patches[b->patch_count++] = (cell_faces){i, b->face_count};
+        }
         for (int k = 0; k < simplices; k++)
             TRY(cut_simplex(context, b, c, orders[k]));
     }

@@ -8,7 +8,6 @@
  */
 #include "questions/boundary/sampling.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"

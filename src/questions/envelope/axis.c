@@ -1,6 +1,5 @@
 /* Merges roots in order, finds samples between them, and makes tables of signs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
@@ -49,11 +48,6 @@ void axis_clear(axis *x) {
     algebraic_list_clear(&x->roots);
 }
 
-graze_status axis_sign(int *out, graze_context *context, axis *x, const fmpz_poly_struct *p,
-                       size_t k) {
-    return algebraic_sign_at(out, context, p, x->point[k]);
-}
-
 int axis_sign_before(const axis *x, const fmpz_poly_struct *p, size_t k) {
     return fmpz_poly_is_zero(p) ? 0 : rational_sign(p, x->sample + k);
 }
@@ -65,10 +59,7 @@ int axis_one_sign(const fmpz_poly_struct *p) {
     dyadic_interval_set_si(&unit, 0, 1);
     HELD(bernstein_form, form, p, fmpz_poly_degree(p), &unit);
     int low = wide_sign(&form.c, 0), high = wide_sign(&form.c, form.c.count - 1);
-    int sign = low == high ? low : 0;
-    if (sign && bernstein_variations(&form) != 0)
-        sign = 0;
-    return sign;
+    return low == high && bernstein_variations(&form) == 0 ? low : 0;
 }
 
 void signs_init(signs *s, size_t count, size_t rooted) {
@@ -98,7 +89,7 @@ graze_status signs_find(signs *s, graze_context *context) {
     for (size_t k = 0; k < s->x.count; k++)
         for (size_t p = 0; p < s->count; p++) {
             int sign = 0;
-            TRY(axis_sign(&sign, context, &s->x, &s->p[p], k));
+            TRY(algebraic_sign_at(&sign, context, &s->p[p], s->x.point[k]));
             s->at[k * s->count + p] = (signed char)sign;
             if (k > 0)
                 s->before[k * s->count + p] = (signed char)axis_sign_before(&s->x, &s->p[p], k);

@@ -5,8 +5,6 @@
  * it (turn = 1), or contact after it and all g are negative before it (turn = -1). In both cases
  * all g of the side without contact, times `turn`, are positive. Values at the break are rational.
  */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "questions/envelope/patch_ends.h"
 

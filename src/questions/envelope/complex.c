@@ -1,8 +1,6 @@
 /* Makes facets of simplices, identifies vertices by position, and finds the facets that contain an
  * edge or a vertex by locating a point of it. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
@@ -221,13 +219,12 @@ static graze_status invert_edges(cell_lists *out, graze_context *context, const 
     for (int pass = 0; pass < 2; pass++) {
         for (size_t e = 0; e < c->edge_count; e++) {
             const size_t ends[2] = {c->edge[e].u, c->edge[e].v};
-            const size_t *key = by_vertex ? ends : c->edge_facets.item + c->edge_facets.start[e];
-            size_t n = by_vertex ? 2 : c->edge_facets.start[e + 1] - c->edge_facets.start[e];
-            for (size_t j = 0; j < n; j++)
+            cell_span keys = by_vertex ? (cell_span){ends, 2} : cells_of(&c->edge_facets, e);
+            for (size_t j = 0; j < keys.count; j++)
                 if (pass == 0)
-                    out->start[key[j] + 2]++;
+                    out->start[keys.item[j] + 2]++;
                 else
-                    out->item[out->start[key[j] + 1]++] = e;
+                    out->item[out->start[keys.item[j] + 1]++] = e;
         }
         for (size_t k = 2; pass == 0 && k < count + 2; k++)
             out->start[k] += out->start[k - 1];

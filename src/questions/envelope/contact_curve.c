@@ -1,8 +1,6 @@
 /* Finds all parts of a curve at a time, classifies their middles, and chains them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <flint/fmpq_vec.h>
 #include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "questions/envelope/patch_ends.h"
@@ -29,10 +27,7 @@ static size_t root_of(size_t *parent, size_t k) {
 static void unite(size_t *parent, size_t a, size_t b) {
     a = root_of(parent, a);
     b = root_of(parent, b);
-    if (a < b)
-        parent[b] = a;
-    else
-        parent[a] = b;
+    parent[a < b ? b : a] = a < b ? a : b;
 }
 
 static int is_segment(const curve_part *p) {

@@ -2,7 +2,6 @@
  * them cross.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
@@ -33,11 +32,9 @@ typedef struct edge_finder {
 
 static int compare_sides(const void *left, const void *right) {
     const side *a = left, *b = right;
-    if (a->u != b->u)
-        return a->u < b->u ? -1 : 1;
-    if (a->v != b->v)
-        return a->v < b->v ? -1 : 1;
-    return a->simplex < b->simplex ? -1 : a->simplex > b->simplex;
+    int order = array_compare_numbers(&a->u, &b->u);
+    order = order ? order : array_compare_numbers(&a->v, &b->v);
+    return order ? order : array_compare_numbers(&a->simplex, &b->simplex);
 }
 
 static void list_edge_sides(edge_finder *f) {
@@ -260,9 +257,8 @@ static graze_status cut_side(edge_finder *f, const side *e) {
 
 static int order_of_edges(const void *left, const void *right) {
     const cell_edge *a = left, *b = right;
-    if (a->u != b->u)
-        return a->u < b->u ? -1 : 1;
-    return a->v < b->v ? -1 : a->v > b->v;
+    int order = array_compare_numbers(&a->u, &b->u);
+    return order ? order : array_compare_numbers(&a->v, &b->v);
 }
 
 static void edge_finder_clear(edge_finder *f) {

@@ -6,7 +6,6 @@
  * another one of the facet. Where coplanar facets meet, the slice may go on along the flat edge
  * between them.
  */
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "questions/envelope/patch_ends.h"
 

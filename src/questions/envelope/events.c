@@ -84,15 +84,6 @@ static int compare_at_one_time(const void *left, const void *right) {
     return a->before != b->before ? a->before - b->before : a->after - b->after;
 }
 
-static graze_status add_event_time(event_list *list, graze_context *context, size_t piece,
-                                   const algebraic *u) {
-    list->time[list->time_count] = time_create(list->motion, piece, u);
-    if (!list->time[list->time_count])
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for times");
-    list->time_count++;
-    return GRAZE_OK;
-}
-
 /* Number the times of the events of one piece; `where` points to their parameters u. */
 static graze_status number_times(event_list *list, graze_context *context, algebraic **where,
                                  size_t count, size_t piece) {
@@ -102,8 +93,12 @@ static graze_status number_times(event_list *list, graze_context *context, algeb
         int order = -1;
         if (k > 0)
             TRY(algebraic_compare(&order, context, where[k - 1], where[k]));
-        if (order != 0)
-            TRY(add_event_time(list, context, piece, where[k]));
+        if (order != 0) {
+            graze_time *time = time_create(list->motion, piece, where[k]);
+            if (!time)
+                return context_fail(context, GRAZE_ESYSTEM, "out of memory for times");
+            list->time[list->time_count++] = time;
+        }
         event->time = list->time_count - 1;
     }
     return GRAZE_OK;

@@ -5,8 +5,6 @@
  * (proofs/claims.md C1). A rational velocity near the true one is projected into the planes that
  * hold the true one; if it is near enough, its other signs are right.
  */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "questions/envelope/sign_events.h"

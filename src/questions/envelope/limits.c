@@ -189,13 +189,12 @@ static graze_status compare_within(int *out, limit_finder *f, const limit_place 
 static graze_status is_same_place(int *out, limit_finder *f, const limit_place *a,
                                   const limit_place *b) {
     int order = 0;
-    graze_status status = GRAZE_OK;
     *out = a->is_edge == b->is_edge && a->cell == b->cell;
     if (!*out || !a->is_edge || (a->facet == b->facet && a->piece == b->piece))
         return GRAZE_OK;
-    status = compare_within(&order, f, a, b);
+    TRY(compare_within(&order, f, a, b));
     *out = order == 0;
-    return status;
+    return GRAZE_OK;
 }
 
 /* Add to the set each patch that exists before and after the moment and, at the moment, has an end
@@ -251,9 +250,8 @@ typedef struct dated_place {
 
 static int compare_dates(const void *left, const void *right) {
     const dated_place *a = left, *b = right;
-    if (a->moment != b->moment)
-        return a->moment < b->moment ? -1 : 1;
-    return a->place < b->place ? -1 : a->place > b->place;
+    int order = array_compare_numbers(&a->moment, &b->moment);
+    return order ? order : array_compare_numbers(&a->place, &b->place);
 }
 
 static void begin_moment(limit_finder *f, size_t moment) {

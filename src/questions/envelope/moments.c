@@ -1,8 +1,6 @@
 /* Merges the times of events with the ends and breaks of the motion, and lists them by the cells
  * that the events name; velocities at a time between moments.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
@@ -131,12 +129,8 @@ void snapshot_clear(snapshot *s) {
         _fmpz_vec_clear(s->velocity, 2 * (s->dimension * (s->dimension + 1) + 1));
 }
 
-static const fmpz *snapshot_normal(const snapshot *s, size_t facet) {
-    return s->e->cells.facet[facet].normal;
-}
-
 void snapshot_g(fmpq_t out, const snapshot *s, size_t facet, const fmpq *y) {
-    flow_along(out, snapshot_normal(s, facet), s->velocity, y, s->dimension);
+    flow_along(out, s->e->cells.facet[facet].normal, s->velocity, y, s->dimension);
     fmpq_neg(out, out);
 }
 
@@ -148,11 +142,9 @@ int snapshot_g_sign(const snapshot *s, size_t facet, const fmpq *y) {
 
 int snapshot_theta_sign(const snapshot *s, size_t facet, const fmpq *y) {
     LOCAL(fmpq, value);
-    flow_along(value, snapshot_normal(s, facet), s->bend, y, s->dimension);
+    flow_along(value, s->e->cells.facet[facet].normal, s->bend, y, s->dimension);
     return fmpq_sgn(value);
 }
-
-static const graze_cell NO_SECOND = {0, 0, 0};
 
 static int compare_keys(const cell_event *a, const cell_event *b) {
     int order = cell_compare(&a->first, &b->first);
@@ -171,9 +163,9 @@ static int compare_cell_events(const void *left, const void *right) {
 static void list_event(cell_event_list *list, const found_event *event, size_t moment) {
     int by_cell = event->kind == GRAZE_EVENT_SADDLE || event->kind == GRAZE_EVENT_MEET;
     if (!by_cell)
-        list->item[list->count++] = (cell_event){event->facet, NO_SECOND, moment};
+        list->item[list->count++] = (cell_event){event->facet, NO_CELL, moment};
     if (by_cell || event->kind == GRAZE_EVENT_REACH)
-        list->item[list->count++] = (cell_event){event->cell, NO_SECOND, moment};
+        list->item[list->count++] = (cell_event){event->cell, NO_CELL, moment};
     if (event->kind == GRAZE_EVENT_REACH)
         list->item[list->count++] = (cell_event){event->facet, event->cell, moment};
 }
@@ -217,13 +209,13 @@ static graze_status add_moments(numbers *cuts, graze_context *context, const cel
 
 graze_status cuts_add_of_facet(numbers *cuts, graze_context *context, const cell_event_list *list,
                                const cell_complex *c, size_t facet) {
-    return add_moments(cuts, context, list, &c->facet[facet].name, &NO_SECOND);
+    return add_moments(cuts, context, list, &c->facet[facet].name, &NO_CELL);
 }
 
 graze_status cuts_add_of_edge(numbers *cuts, graze_context *context, const cell_event_list *list,
                               const cell_complex *c, size_t edge) {
     const cell_edge *side = &c->edge[edge];
-    TRY(add_moments(cuts, context, list, &side->name, &NO_SECOND));
+    TRY(add_moments(cuts, context, list, &side->name, &NO_CELL));
     for (size_t j = c->edge_facets.start[edge]; j < c->edge_facets.start[edge + 1]; j++) {
         const graze_cell *facet = &c->facet[c->edge_facets.item[j]].name;
         TRY(add_moments(cuts, context, list, facet, &c->vertex[side->u].name));
@@ -234,5 +226,5 @@ graze_status cuts_add_of_edge(numbers *cuts, graze_context *context, const cell_
 
 graze_status cuts_add_of_vertex(numbers *cuts, graze_context *context, const cell_event_list *list,
                                 const cell_complex *c, size_t vertex) {
-    return add_moments(cuts, context, list, &c->vertex[vertex].name, &NO_SECOND);
+    return add_moments(cuts, context, list, &c->vertex[vertex].name, &NO_CELL);
 }

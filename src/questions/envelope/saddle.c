@@ -1,6 +1,5 @@
 /* Events and findings at vertices where the solid is neither flat nor convex.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "questions/envelope/patch_ends.h"

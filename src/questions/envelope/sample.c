@@ -1,5 +1,4 @@
 /* Draws contact points at random. SPDX-License-Identifier: GPL-3.0-or-later */
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "base/number/random.h"
@@ -65,13 +64,6 @@ static graze_status pick_parameter(fmpq_t out, graze_context *context, const gra
     return GRAZE_OK;
 }
 
-/* Draw a point of a part, strictly between its ends if these differ. */
-static void pick_point(fmpq *out, const curve_part *part, int d, random_stream *r) {
-    LOCAL(fmpq, lambda);
-    fmpq_set_si(lambda, (slong)random_below(r, 15) + 1, 16);
-    vector_between(out, part->a, part->b, lambda, d);
-}
-
 graze_status sample_make(graze_site *out, int *found, graze_context *context,
                          const graze_envelope *e, unsigned long seed, unsigned long index) {
     int d = e->cells.dimension;
@@ -88,7 +80,10 @@ graze_status sample_make(graze_site *out, int *found, graze_context *context,
     TRY(contact_curve_find(&curve, context, e, t));
     graze_status status = GRAZE_OK;
     if (curve.count) {
-        pick_point(y, &curve.part[random_below(&r, curve.count)], d, &r);
+        const curve_part *part = &curve.part[random_below(&r, curve.count)];
+        LOCAL(fmpq, lambda); /* of a point strictly between the part's ends if these differ */
+        fmpq_set_si(lambda, (slong)random_below(&r, 15) + 1, 16);
+        vector_between(y, part->a, part->b, lambda, d);
         status = site_make(out, context, e->scene, t, y);
         *found = !status;
     }

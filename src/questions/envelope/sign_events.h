@@ -42,9 +42,6 @@ typedef struct axis {
 graze_status axis_make(axis *out, graze_context *context, const fmpz_poly_struct *p, size_t count);
 void axis_clear(axis *x);
 
-/** Sign of a polynomial at point k. */
-graze_status axis_sign(int *out, graze_context *context, axis *x, const fmpz_poly_struct *p,
-                       size_t k);
 /** Sign of a polynomial between points k - 1 and k, 1 <= k < count. */
 int axis_sign_before(const axis *x, const fmpz_poly_struct *p, size_t k);
 

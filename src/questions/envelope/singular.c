@@ -273,12 +273,6 @@ static graze_status exists_before(int *out, const singular_view *v, const axis *
     return singular_exists(out, v, &u);
 }
 
-/* Is point k of the axis the end of a piece that another piece follows? Such a time is examined as
- * the beginning of the next piece. */
-static int is_joint(const graze_envelope *e, size_t piece, const axis *x, size_t k) {
-    return k + 1 == x->count && piece + 1 < e->piece_count;
-}
-
 /* Add the times of a piece at which the facet has a singular point but not just before or just
  * after, or the reverse. If the determinant is 0 only at single times, add those at which the facet
  * has one. `*past` says whether it has one just before the piece; it is set to the answer just
@@ -295,8 +289,8 @@ static graze_status watch_points(graze_envelope *e, const singular_view *v, axis
         int here = 0, before = *past, after = 0;
         if (k > 0 && lasting)
             TRY(exists_before(&before, v, x, k));
-        if (is_joint(e, v->piece, x, k)) {
-            *past = before;
+        if (k + 1 == x->count && v->piece + 1 < e->piece_count) {
+            *past = before; /* the time is examined as the beginning of the next piece */
             return GRAZE_OK;
         }
         if (judge_is_break(e, v->piece, x, k))

@@ -123,7 +123,7 @@ graze_status gather_whole(graze_envelope *e, graze_context *context, size_t face
         TRY(axis_make(&x, context, common, 1));
         for (size_t k = 0; k < x.count; k++) {
             int sign = 0;
-            TRY(axis_sign(&sign, context, &x, common, k));
+            TRY(algebraic_sign_at(&sign, context, common, x.point[k]));
             if (sign == 0 && !judge_is_break(e, piece, &x, k))
                 TRY(judge_whole(e, context, facet, piece, &x, k));
         }

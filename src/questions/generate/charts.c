@@ -3,10 +3,6 @@
  */
 #include "questions/generate/charts.h"
 
-#include <flint/fmpq.h>
-#include <flint/fmpq_mpoly_factor.h>
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"

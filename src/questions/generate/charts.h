@@ -3,7 +3,6 @@
 #ifndef GRAZE_QUESTIONS_GENERATE_CHARTS_H
 #define GRAZE_QUESTIONS_GENERATE_CHARTS_H
 
-#include <flint/fmpq_mpoly.h>
 #include "questions/generate/generate.h"
 
 /* Flats of space whose parameters are coordinates. */

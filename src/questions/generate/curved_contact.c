@@ -4,9 +4,6 @@
  */
 #include "questions/generate/charts.h"
 
-#include <flint/fmpq_mat.h>
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"

@@ -3,8 +3,6 @@
  */
 #include "questions/generate/strata.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_poly.h>
 #include <string.h>
 #include "base/context/scope.h"
 

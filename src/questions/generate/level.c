@@ -4,7 +4,6 @@
  */
 #include "questions/generate/strata.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"

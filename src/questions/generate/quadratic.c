@@ -3,8 +3,6 @@
  */
 #include "questions/generate/charts.h"
 
-#include <flint/fmpq_mat.h>
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 

@@ -4,9 +4,6 @@
  */
 #include "questions/generate/strata.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_poly_factor.h>
-#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"

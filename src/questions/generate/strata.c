@@ -3,7 +3,6 @@
  */
 #include "questions/generate/charts.h"
 
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "questions/generate/strata.h"

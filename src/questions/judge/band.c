@@ -3,7 +3,6 @@
  */
 #include "questions/judge/cube.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -69,8 +68,7 @@ static graze_status decide_cube(cell_asker *ask, const judged_mesh *mesh, int fl
     graze_pmc pmc;
     if (flat)
         return flat_child(c, ask->context, mesh);
-    for (int k = 0; k < 3; k++)
-        points.centre[k] = c->centre[k];
+    memcpy(points.centre, c->centre, sizeof c->centre);
     TRY(cell_certain(&pmc, ask, &points, &near));
     c->kind = pmc == GRAZE_IN ? CUBE_IN : pmc == GRAZE_OUT ? CUBE_OUT : CUBE_BAND;
     if (mesh && c->kind == CUBE_BAND)
@@ -93,10 +91,9 @@ static void tell_parents(band *b, uint32_t index) {
 }
 
 void band_settle(band *b, uint32_t index, unsigned char kind) {
-    cube *c = &b->item[index];
-    c->kind = kind;
+    b->item[index].kind = kind;
     if (index)
-        tell_parents(b, c->parent);
+        tell_parents(b, b->item[index].parent);
 }
 
 int band_can_cut(const band *b, const cube *c) {

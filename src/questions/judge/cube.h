@@ -3,7 +3,6 @@
 #ifndef GRAZE_QUESTIONS_JUDGE_CUBE_H
 #define GRAZE_QUESTIONS_JUDGE_CUBE_H
 
-#include <flint/fmpq.h>
 #include <stdint.h>
 #include "questions/judge/judge.h"
 

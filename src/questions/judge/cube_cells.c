@@ -3,7 +3,6 @@
  */
 #include "questions/judge/cube.h"
 
-#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
@@ -93,18 +92,10 @@ static graze_status cut_tetrahedron(cube_cells *c, const fmpq *corner, int k, un
     if (high < 0 || low < 0) {
         TRY(cut_tetrahedron(c, corner, k + 1, sides | (unsigned)(high >= 0) << k));
     } else {
-        /* the share of the way from high to low */
-        fmpq_sub(value + low, value + high, value + low);
-        fmpq_div(value + high, value + high, value + low);
         for (int half = 0; half < 2; half++) {
-            fmpq *cut = part + 3 * (half ? low : high);
-            for (int i = 0; i < 12; i++)
-                fmpq_set(part + i, corner + i);
-            for (int i = 0; i < 3; i++) {
-                fmpq_sub(cut + i, corner + 3 * low + i, corner + 3 * high + i);
-                fmpq_mul(cut + i, cut + i, value + high);
-                fmpq_add(cut + i, cut + i, corner + 3 * high + i);
-            }
+            vector_set(part, corner, 12);
+            vector_zero(part + 3 * (half ? low : high), corner + 3 * high, corner + 3 * low,
+                        value + high, value + low, 3);
             TRY(cut_tetrahedron(c, part, k, sides));
         }
     }

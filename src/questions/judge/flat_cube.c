@@ -3,8 +3,6 @@
  */
 #include "questions/judge/cube.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "questions/judge/open_search.h"

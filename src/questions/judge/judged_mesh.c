@@ -3,7 +3,6 @@
  */
 #include "questions/judge/open_search.h"
 
-#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
@@ -32,12 +31,6 @@ static void add_tetrahedra(fmpq_t sum, const skin *s, size_t first, size_t count
     fmpq_add(sum, sum, half);
 }
 
-static graze_mesh_rule rule_of(const loose_edges *open) {
-    return open->odd_count          ? GRAZE_MESH_NONE
-           : open->unbalanced_count ? GRAZE_MESH_PARITY
-                                    : GRAZE_MESH_WINDING;
-}
-
 graze_status judged_mesh_make(judged_mesh *out, graze_context *context, const soup *input,
                               unsigned flags) {
     memset(out, 0, sizeof *out);
@@ -48,7 +41,9 @@ graze_status judged_mesh_make(judged_mesh *out, graze_context *context, const so
     skin bare = judged_skin(out);
     TRY(skin_tree(&out->boxes, context, &bare));
     TRY(corners_make(&out->corners, context, input, &out->cut, out->low, out->high));
-    out->rule = rule_of(&out->open);
+    out->rule = out->open.odd_count          ? GRAZE_MESH_NONE
+                : out->open.unbalanced_count ? GRAZE_MESH_PARITY
+                                             : GRAZE_MESH_WINDING;
     if (out->rule == GRAZE_MESH_WINDING) {
         /* The integral of the winding number is the sum of the signed tetrahedra that the origin
          * makes with the triangles (proofs/mesh.md C115). */
@@ -57,6 +52,10 @@ graze_status judged_mesh_make(judged_mesh *out, graze_context *context, const so
         fmpq_div_fmpz(out->volume, out->volume, (fmpz[]){6});
     }
     return context_poll(context);
+}
+
+const char *mesh_rule_name(graze_mesh_rule rule) {
+    return rule == GRAZE_MESH_WINDING ? "winding" : rule == GRAZE_MESH_PARITY ? "parity" : "none";
 }
 
 void judged_mesh_clear(judged_mesh *m) {

@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/judge/cube.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
 #include "base/context/scope.h"
@@ -60,11 +59,9 @@ graze_status suprema_ask(known_point *out, suprema *s, const double *point, ask_
     if (out->pmc != GRAZE_PMC_NONE && out->pmc != wanted)
         return GRAZE_OK;
     s->asked++;
-    graze_status status =
-        classify_point(&trace, s->context, s->scene, (query_point){.value = point},
-                       distance == ASK_IN ? TRACE_CONTACTS : TRACE_PMC);
-    if (status)
-        return status;
+    TRY(classify_point(&trace, s->context, s->scene, (query_point){.value = point},
+                       distance == ASK_IN ? TRACE_CONTACTS : TRACE_PMC));
+    graze_status status = GRAZE_OK;
     out->pmc = trace.verdict.pmc;
     if (out->pmc == wanted) {
         status = enclose_point(&found, s, point, &trace);
@@ -78,11 +75,9 @@ graze_status suprema_ask(known_point *out, suprema *s, const double *point, ask_
 graze_status suprema_time(double *out, suprema *s, const double *point) {
     graze_trace trace;
     struct distance found;
-    graze_status status =
-        classify_point(&trace, s->context, s->scene, (query_point){.value = point}, TRACE_CONTACTS);
-    if (status)
-        return status;
-    status = enclose_point(&found, s, point, &trace);
+    TRY(classify_point(&trace, s->context, s->scene, (query_point){.value = point},
+                       TRACE_CONTACTS));
+    graze_status status = enclose_point(&found, s, point, &trace);
     if (!status)
         status = distance_time_near(out, s->context, &found, s->scene->motion);
     trace_clear(&trace);

@@ -12,17 +12,14 @@
  * BRACKET_LENGTH of the width wanted or of the radius. */
 static const double BRACKET_CUBE = 0.75, OPEN_CUBE = 0.0625, BRACKET_LENGTH = 0.0625;
 
-/* An upper bound of the distances to the mesh from the boundary's places in a cube. */
-static double cube_bound(const suprema *s, const cube *c) {
-    mesh_gap gap = mesh_gap_of(s->mesh, c->centre);
-    double round = gap.high + cube_radius(c);
-    return smaller(round, mesh_gap_of_cube(s->mesh, gap.simplex, c->centre, c->half));
-}
-
-/* Queue a cube with its bound, or with the bound `most` of a cube that contains it. */
+/* Queue a cube with an upper bound of the distances to the mesh from the boundary's places in it,
+ * or with the bound `most` of a cube that contains it. */
 static graze_status add_cube(suprema *s, uint32_t index, double most) {
-    double bound = smaller(cube_bound(s, &s->space.item[index]), most);
-    return priority_add(&s->cubes, s->context, bound, index);
+    const cube *c = &s->space.item[index];
+    mesh_gap gap = mesh_gap_of(s->mesh, c->centre);
+    double around = gap.high + cube_radius(c);
+    double bound = smaller(around, mesh_gap_of_cube(s->mesh, gap.simplex, c->centre, c->half));
+    return priority_add(&s->cubes, s->context, smaller(bound, most), index);
 }
 
 /* Raise `low` by a point that is at most `off` away from a place of the boundary. */
@@ -78,14 +75,6 @@ static graze_status ask_around_cube(int *done, int *hidden, suprema *s, uint32_t
     return around.has_in ? suprema_settle(done, s, index) : take_nearest(done, s, index);
 }
 
-/* Queue those of the eight cubes of a cut cube that are of the band. */
-static graze_status add_below(suprema *s, uint32_t child, double most) {
-    for (uint32_t k = child; k < child + 8; k++)
-        if (s->space.item[k].kind & CUBE_BAND)
-            TRY(add_cube(s, k, most));
-    return GRAZE_OK;
-}
-
 /* Process the cube with the greatest bound: sample it if it is small; else, or in vain, cut it or
  * probe it. */
 static graze_status look_at_cube(suprema *s) {
@@ -118,8 +107,9 @@ static graze_status finish_sweep(suprema *s) {
         if (first->kind == CUBE_BAND && !first->child)
             break;
         double bound = priority_take(&s->cubes).bound;
-        if (first->child)
-            TRY(add_below(s, first->child, bound));
+        for (uint32_t k = first->child; first->child && k < first->child + 8; k++)
+            if (s->space.item[k].kind & CUBE_BAND)
+                TRY(add_cube(s, k, bound));
     }
     supremum_finish(&s->found[GRAZE_JUDGED_SWEEP], s, &s->cubes,
                     s->cubes.count ? first->centre : NULL);

@@ -22,13 +22,6 @@ static int most_open(const suprema *s) {
     return most;
 }
 
-/* The distance of the sweep's boundary to an empty mesh is infinite. */
-static void judge_empty(suprema *s) {
-    for (int k = 0; k < GRAZE_JUDGED_COUNT; k++)
-        s->found[k].reached = 1;
-    s->found[GRAZE_JUDGED_SWEEP].low = s->found[GRAZE_JUDGED_SWEEP].high = INFINITY;
-}
-
 static graze_status search_all(suprema *s) {
     static graze_status (*const step[GRAZE_JUDGED_COUNT])(suprema *) = {
         search_outside_step, search_inside_step, search_sweep_step};
@@ -36,13 +29,6 @@ static graze_status search_all(suprema *s) {
     TRY(search_mesh_begin(s));
     for (int next; (next = most_open(s)) < GRAZE_JUDGED_COUNT && !suprema_is_over(s);)
         TRY(step[next](s));
-    return GRAZE_OK;
-}
-
-static graze_status tell_times(suprema *s) {
-    for (int k = 0; k < GRAZE_JUDGED_COUNT; k++)
-        if (s->found[k].low > 0)
-            TRY(suprema_time(&s->found[k].time, s, s->found[k].at));
     return GRAZE_OK;
 }
 
@@ -63,13 +49,19 @@ graze_status suprema_find(suprema *out, graze_context *context, const graze_scen
     if (mesh->cut.count && !mesh->corners.at)
         return context_fail(context, GRAZE_ELIMIT,
                             "a coordinate of the mesh is beyond 2^200; expected less");
-    if (mesh->cut.count)
+    if (mesh->cut.count) {
         TRY(search_all(out));
-    else
-        judge_empty(out);
+    } else { /* the distance of the sweep's boundary to an empty mesh is infinite */
+        for (int k = 0; k < GRAZE_JUDGED_COUNT; k++)
+            out->found[k].reached = 1;
+        out->found[GRAZE_JUDGED_SWEEP].low = out->found[GRAZE_JUDGED_SWEEP].high = INFINITY;
+    }
     TRY(slabs_find(out));
     TRY(volumes_find(out));
-    return mesh->cut.count ? tell_times(out) : GRAZE_OK;
+    for (int k = 0; k < GRAZE_JUDGED_COUNT && mesh->cut.count; k++)
+        if (out->found[k].low > 0)
+            TRY(suprema_time(&out->found[k].time, out, out->found[k].at));
+    return GRAZE_OK;
 }
 
 void suprema_clear(suprema *s) {

@@ -3,7 +3,6 @@
  */
 #include "questions/judge/cube.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"

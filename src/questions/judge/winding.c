@@ -1,8 +1,6 @@
 /* Places from the crossings of a ray. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/judge/open_search.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"

@@ -6,9 +6,6 @@
  */
 #include "questions/topo/cover.h"
 
-#include <flint/fmpq.h>
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"

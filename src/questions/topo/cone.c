@@ -6,10 +6,6 @@
  */
 #include "questions/topo/cover.h"
 
-#include <flint/fmpq.h>
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_mat.h>
-#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
@@ -64,23 +60,19 @@ int cone_cell_dimension(const local_cone *cone) {
         for (int i = 0; i < cone->dimension; i++)
             fmpz_set(fmpz_mat_entry(normals, (slong)j, i),
                      cone->normal + j * (size_t)cone->dimension + i);
-    int rank = (int)fmpz_mat_rank(normals);
-    return cone->dimension - rank;
+    return cone->dimension - (int)fmpz_mat_rank(normals);
 }
 
-/* Set a point on the ray that is nearer than every plane that misses the cone's point. If a plane's
- * form has the value v at the cone's point, the ray meets the plane at |v| / |n . direction|, in
- * units of the last coordinate, and |n . direction| < 2^(2 + bits of n + bits of direction). */
-static void point_beside(fmpz *out, const local_cone *cone, const fmpz *direction) {
-    slong d = cone->dimension, places = cone->nearest + FLINT_ABS(_fmpz_vec_max_bits(direction, d));
-    _fmpz_vec_scalar_mul_2exp(out, cone->at, d + 1, (ulong)FLINT_MAX(places, 0));
-    _fmpz_vec_add(out, out, direction, d);
-}
-
+/* Locate a point on the ray that is nearer than every plane that misses the cone's point. If a
+ * plane's form has the value v at the cone's point, the ray meets the plane at |v| / |n .
+ * direction|, in units of the last coordinate, and |n . direction| < 2^(2 + bits of n + bits of
+ * direction). */
 static graze_status locate_beside(graze_state *out, const local_cone *cone, graze_context *context,
                                   const fmpz *direction) {
-    LOCAL_VEC(fmpz, x, cone->dimension + 1);
-    point_beside(x, cone, direction);
+    slong d = cone->dimension, places = cone->nearest + FLINT_ABS(_fmpz_vec_max_bits(direction, d));
+    LOCAL_VEC(fmpz, x, d + 1);
+    _fmpz_vec_scalar_mul_2exp(x, cone->at, d + 1, (ulong)FLINT_MAX(places, 0));
+    _fmpz_vec_add(x, x, direction, d);
     *out = solid_locate(cone->solid, x);
     if (*out == GRAZE_STATE_ABSENT)
         return context_fail(context, GRAZE_EINTERNAL,

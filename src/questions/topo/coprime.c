@@ -5,7 +5,6 @@
  * one, provided that the degree in y of one of them does not drop there; likewise with x. So one
  * line without a common factor, even modulo a prime, proves that there is none.
  */
-#include <flint/fmpz_mpoly_factor.h>
 #include "base/context/scope.h"
 #include "base/number/modular.h"
 #include "questions/topo/eliminate.h"

@@ -3,7 +3,6 @@
  */
 #include "questions/topo/cover.h"
 
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 
 /* Is u opposite to e: is u + s e along the cone's cell for some s > 0? For e = 0: is u along the

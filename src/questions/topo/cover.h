@@ -3,10 +3,8 @@
 #ifndef GRAZE_QUESTIONS_TOPO_COVER_H
 #define GRAZE_QUESTIONS_TOPO_COVER_H
 
-#include <flint/fmpq.h>
 #include <flint/fmpq_poly.h>
 #include <flint/fmpz_mpoly.h>
-#include <flint/fmpz_poly.h>
 #include "questions/topo/topo.h"
 
 /** Return 1 and set the state of the directions with these signs against the planes, if that state

@@ -4,8 +4,6 @@
  * A facet's line n pulled back to a piece is f(x, y, u) = a(u) x + b(u) y + c(u). A common factor
  * of a, b and c is divided out; in E^2 it has no root in [0, 1], where the map is invertible.
  */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "questions/topo/eliminate.h"
@@ -33,12 +31,6 @@ typedef struct curve_maker {
 } curve_maker;
 
 static const char in_plane[] = "facets or edges come to lie in a plane through the point";
-
-/* The reason if the scene has more curves than the bound. */
-static const char *too_many(const plane_view *view) {
-    return view->dimension == 2 ? "the scene has more than the 100000 curves that are looked at"
-                                : "the scene has more curves in a plane than are looked at";
-}
 
 static void refuse_degree(curve_maker *m, slong degree) {
     int in_e2 = m->view->dimension == 2;
@@ -177,7 +169,10 @@ graze_status curves_of_scene(curve_list *list, const char **refused, graze_conte
     size_t each = 3 * (planes->count + scene->solid->cut.count);
     size_t most = view->dimension == 2 ? CURVE_COUNT : SLICE_CURVE_COUNT;
     *refused = NULL;
-    m.refused = motion->piece_count > most / each ? too_many(view) : NULL;
+    if (motion->piece_count > most / each)
+        m.refused = view->dimension == 2
+                        ? "the scene has more than the 100000 curves that are looked at"
+                        : "the scene has more curves in a plane than are looked at";
     for (size_t k = 0; k < motion->piece_count && !m.refused; k++)
         TRY(add_piece(&m, &motion->piece[k], planes));
     *refused = m.refused;

@@ -3,7 +3,6 @@
  */
 #include "questions/topo/near.h"
 
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 

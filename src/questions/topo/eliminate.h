@@ -3,7 +3,6 @@
 #ifndef GRAZE_QUESTIONS_TOPO_ELIMINATE_H
 #define GRAZE_QUESTIONS_TOPO_ELIMINATE_H
 
-#include <flint/fmpz_poly.h>
 #include "questions/topo/near.h"
 
 /* Points outside the closed set that positions are relative to: witnesses of its boundary. */

@@ -7,8 +7,6 @@
  */
 #include "questions/topo/eliminate.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"

@@ -8,8 +8,6 @@
  * divided differences, which are integers, first in y, then in x. The caller can cancel between two
  * values.
  */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "questions/topo/eliminate.h"
 

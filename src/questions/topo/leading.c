@@ -7,7 +7,6 @@
  */
 #include "questions/topo/eliminate.h"
 
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 
 /* Kinds of evidence for `interior`: open cones; exact closed cones too; ways along edges too. */
@@ -198,21 +197,18 @@ static graze_status look_at_rays(leading_maker *m) {
     return GRAZE_OK;
 }
 
-/* Take all cells again with ways along edges, which are costly: only if cones do not decide. */
-static graze_status look_again_along_edges(leading_maker *m) {
-    for (size_t k = 0; k < m->germs->count; k++)
-        if (!m->germs->item[k].root)
-            TRY(edge_ways_find(&m->germs->item[k], m->context));
-    return look_at_rays(m);
-}
-
 static graze_status look_at_all(leading_maker *m) {
     static const graze_topo_level level[] = {GRAZE_LEVEL_FIRST_ORDER, GRAZE_LEVEL_CLOSED_CONES,
                                              GRAZE_LEVEL_EDGES};
     int by_second = 0;
     TRY(look_at_rays(m));
-    if (m->out->position == GRAZE_TOPO_NONE && !m->is_interior[BY_CLOSED_CONES])
-        TRY(look_again_along_edges(m));
+    if (m->out->position == GRAZE_TOPO_NONE && !m->is_interior[BY_CLOSED_CONES]) {
+        /* All cells again, with ways along edges, which are costly. */
+        for (size_t k = 0; k < m->germs->count; k++)
+            if (!m->germs->item[k].root)
+                TRY(edge_ways_find(&m->germs->item[k], m->context));
+        TRY(look_at_rays(m));
+    }
     if (m->out->position != GRAZE_TOPO_NONE)
         return GRAZE_OK;
     for (int by = BY_EDGES; by >= 0; by--)

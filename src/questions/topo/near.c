@@ -14,8 +14,6 @@
  */
 #include "questions/topo/eliminate.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 
@@ -99,26 +97,6 @@ static void stay_clear_of(near_maker *m, const fmpz_mpoly_t g) {
     look_at_limit(m);
 }
 
-/* Keep a part, in coordinates about the point, if it passes the point; else shrink the square until
- * the part misses it. */
-static graze_status take_part(near_maker *m, const fmpz_mpoly_t part) {
-    curve_list *through = &m->n->through;
-    if (passes_origin(part, through->ring))
-        return curves_append(through, m->context, part);
-    stay_clear_of(m, part);
-    return GRAZE_OK;
-}
-
-/* out = g(x, x) or, if `falling`, g(x, -x). */
-static void on_diagonal(fmpz_poly_t out, const fmpz_mpoly_t g, int falling,
-                        const fmpz_mpoly_ctx_t ring) {
-    LOCAL_VEC(fmpz_poly, image, RING_VARIABLES);
-    fmpz_poly_struct *const images[] = {image + RING_X, image + RING_Y};
-    fmpz_poly_set_coeff_si(image + RING_X, 1, 1);
-    fmpz_poly_set_coeff_si(image + RING_Y, 1, falling ? -1 : 1);
-    (void)fmpz_mpoly_compose_fmpz_poly(out, g, images, ring); /* it fails only for huge exponents */
-}
-
 /* Shrink the square below the common zeros of two curves. */
 static graze_status stay_below_event(near_maker *m, const sliced_curve *a, const sliced_curve *b) {
     LOCAL(fmpz_poly, event);
@@ -158,16 +136,22 @@ static graze_status stay_below_meetings(near_maker *m, size_t k, int variable) {
 }
 
 static void stay_below_corners(near_maker *m, size_t k) {
+    const curve_list *c = &m->n->through;
     LOCAL(fmpz_poly, p);
-    for (int falling = 0; falling < 2; falling++) {
-        on_diagonal(p, &m->n->through.item[k], falling, m->n->through.ring);
+    LOCAL_VEC(fmpz_poly, image, RING_VARIABLES);
+    fmpz_poly_struct *const images[] = {image + RING_X, image + RING_Y};
+    fmpz_poly_set_coeff_si(image + RING_X, 1, 1);
+    for (slong slope = 1; slope >= -1; slope -= 2) { /* both diagonals */
+        fmpz_poly_set_coeff_si(image + RING_Y, 1, slope);
+        (void)fmpz_mpoly_compose_fmpz_poly(p, &c->item[k], images,
+                                           c->ring); /* it fails only for huge exponents */
         if (!fmpz_poly_is_zero(p))
             stay_below_roots(m, p);
     }
 }
 
-/* Split the curves through the point into parts; shrink the square until it misses all other
- * curves. */
+/* Split the curves through the point into parts and keep those that pass it, in coordinates about
+ * the point; shrink the square until it misses all other curves and parts. */
 static graze_status take_curves(near_maker *m, curve_list *parts, const curve_list *all,
                                 const fmpq *point) {
     IN_RING(fmpz_mpoly, g, all->ring);
@@ -180,7 +164,10 @@ static graze_status take_curves(near_maker *m, curve_list *parts, const curve_li
     }
     for (size_t k = 0; k < parts->count && !m->refused; k++) {
         TRY(shift_curve(g, m->context, &parts->item[k], point, all->ring));
-        TRY(take_part(m, g));
+        if (passes_origin(g, all->ring))
+            TRY(curves_append(&m->n->through, m->context, g));
+        else
+            stay_clear_of(m, g);
     }
     return GRAZE_OK;
 }
@@ -242,19 +229,10 @@ typedef struct square_maker {
     int axis, negative; /* the current side */
 } square_maker;
 
-/* Keep the square on whose border the witness lies. */
-static void set_square(square_maker *m) {
-    topo_finding *out = m->out;
-    out->has_witness = 1;
-    fmpq_one(&out->reach);
-    fmpq_div_2exp(&out->reach, &out->reach, m->near->places);
-    for (int k = 0; k < 2; k++)
-        _fmpz_vec_set(out->along[k], m->view->along[k], m->view->dimension);
-}
-
 /* Classify the point of the current side at the coordinate `along`; a point that is out proves the
- * boundary. */
+ * boundary, and the square is kept. */
 static graze_status sample_at(square_maker *m, const fmpq_t along) {
+    topo_finding *out = m->out;
     int beyond = 0;
     LOCAL_VEC(fmpq, sample, 2);
     fmpq_set_si(sample + m->axis, m->negative ? -1 : 1, 1);
@@ -262,12 +240,16 @@ static graze_status sample_at(square_maker *m, const fmpq_t along) {
     fmpq_set(sample + (1 - m->axis), along);
     for (int k = 0; k < 2; k++)
         fmpq_add(sample + k, sample + k, m->point + k);
-    view_point(m->out->witness, m->view, sample);
-    TRY(beyond_closed(&beyond, m->context, m->scene, m->out->witness));
-    if (beyond) {
-        finding_set(m->out, GRAZE_TOPO_BOUNDARY, m->level);
-        set_square(m);
-    }
+    view_point(out->witness, m->view, sample);
+    TRY(beyond_closed(&beyond, m->context, m->scene, out->witness));
+    if (!beyond)
+        return GRAZE_OK;
+    finding_set(out, GRAZE_TOPO_BOUNDARY, m->level);
+    out->has_witness = 1;
+    fmpq_one(&out->reach);
+    fmpq_div_2exp(&out->reach, &out->reach, m->near->places);
+    for (int k = 0; k < 2; k++)
+        _fmpz_vec_set(out->along[k], m->view->along[k], m->view->dimension);
     return GRAZE_OK;
 }
 

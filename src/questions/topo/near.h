@@ -3,7 +3,6 @@
 #ifndef GRAZE_QUESTIONS_TOPO_NEAR_H
 #define GRAZE_QUESTIONS_TOPO_NEAR_H
 
-#include <flint/fmpq.h>
 #include "questions/topo/cover.h"
 
 void finding_set(topo_finding *f, graze_topo position, graze_topo_level level);

@@ -5,8 +5,6 @@
  * With P = (a / c, b / c) and D the degree, c^D g(P + (x, y)) is the sum of g_ij c^(D - i - j)
  * (X + a)^i (Y + b)^j with X = c x, Y = c y.
  */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
@@ -87,21 +85,15 @@ static graze_status shift_coefficients(sliced_curve *s, graze_context *context, 
     return GRAZE_OK;
 }
 
-static void content_of(fmpz_t out, const sliced_curve *s) {
-    LOCAL(fmpz, content);
-    fmpz_zero(out);
-    for (slong k = 0; k <= s->degree; k++) {
-        fmpz_poly_content(content, s->coefficient + k);
-        fmpz_gcd(out, out, content);
-    }
-}
-
 /* Convert to a polynomial, divided by its content. */
 static void to_polynomial(fmpz_mpoly_t out, const sliced_curve *s, int variable,
                           const fmpz_mpoly_ctx_t ring) {
     LOCAL_VEC(fmpz, content, 2);
     fmpz *c = content + 1;
-    content_of(content, s);
+    for (slong k = 0; k <= s->degree; k++) {
+        fmpz_poly_content(c, s->coefficient + k);
+        fmpz_gcd(content, content, c);
+    }
     fmpz_mpoly_zero(out, ring);
     for (slong k = 0; k <= s->degree; k++)
         for (slong i = 0; i < fmpz_poly_length(s->coefficient + k); i++) {

@@ -7,8 +7,6 @@
  * many and do not depend on s. At each such u the form vanishes for s = -at / slope, and `reach` is
  * kept below all such s > 0 (proofs/closure.md C74).
  */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"

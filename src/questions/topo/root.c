@@ -6,10 +6,6 @@
  */
 #include "questions/topo/eliminate.h"
 
-#include <flint/fmpq_mat.h>
-#include <flint/fmpq_poly.h>
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 
@@ -201,10 +197,7 @@ static void set_sides(germ *g, slong order) {
     g->side[0].order = g->side[1].order = order;
     g->side[0].sign = 1;
     g->side[1].sign = -1;
-    if (order % 2 == 1)
-        _fmpz_vec_neg(g->side[1].e, g->side[0].e, d);
-    else
-        _fmpz_vec_set(g->side[1].e, g->side[0].e, d);
+    (order % 2 == 1 ? _fmpz_vec_neg : _fmpz_vec_set)(g->side[1].e, g->side[0].e, d);
 }
 
 /* Drop the root of a germ whose members are exact, and complete it as at a rational time. */

@@ -12,7 +12,6 @@
  */
 #include "questions/topo/near.h"
 
-#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"

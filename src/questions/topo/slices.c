@@ -10,7 +10,6 @@
  */
 #include "questions/topo/eliminate.h"
 
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 

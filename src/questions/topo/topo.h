@@ -4,7 +4,6 @@
 #ifndef GRAZE_QUESTIONS_TOPO_H
 #define GRAZE_QUESTIONS_TOPO_H
 
-#include <flint/fmpq.h>
 #include "base/number/algebraic.h"
 #include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
