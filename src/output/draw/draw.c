@@ -168,6 +168,7 @@ static graze_status make_picture(picture *p, graze_context *context, const char 
     TRY(make_positions(p, context));
     TRY(make_trails(p, context));
     TRY(views_fit(p, context));
+    TRY(arcs_make(p, context));
     TRY(make_legend(p, context));
     return draw_all(p, context, file);
 }
@@ -185,6 +186,7 @@ graze_status draw_picture(graze_context *context, const graze_scene *scene, cons
     free(p.moved);
     free(p.trails);
     free(p.points);
+    arcs_clear(&p);
     section_clear(&p.section);
     cells_clear(&p.cells);
     return status;

@@ -25,6 +25,9 @@ static const struct {
 const style outline_start = {.stroke = PAINT(INK), .width = 2};
 const style outline_end = {.stroke = PAINT(INK), .width = 2, .dash = 5};
 const style outline_between = {.stroke = PAINT(0x666666), .width = .8};
+const style arc_style[] = {{.stroke = PAINT(0x0072b2), .width = 1.6},
+                           {.stroke = PAINT(0xd55e00), .width = 1.6},
+                           {.stroke = PAINT(SLIDE), .width = 1.6}};
 const style outline_plane = {.stroke = PAINT(0x0072b2), .width = 1.2, .dash = 6};
 const style trail_outside = {.stroke = PAINT(INK), .width = 1};
 const style trail_inside = {.stroke = PAINT(INK), .width = 2.4};
@@ -197,6 +200,10 @@ static void put_legend(writer *w, const legend *l) {
                                             {"at the end", &outline_end},
                                             {"plane of the cells", &outline_plane},
                                             {NULL, NULL}};
+    static const legend_line arcs[] = {{"path of a vertex", &arc_style[SOURCE_PATH]},
+                                       {"edge at one time", &arc_style[SOURCE_EDGE]},
+                                       {"envelope of an edge", &arc_style[SOURCE_ENVELOPE]},
+                                       {NULL, NULL}};
     static const legend_line spans[] = {{"outside S", &trail_outside},
                                         {"inside S", &trail_inside},
                                         {"sliding on S", &trail_sliding},
@@ -204,6 +211,7 @@ static void put_legend(writer *w, const legend *l) {
     if (l->cells)
         put_scale(w, l);
     put_classes(w, l);
+    put_lines(w, "Boundary, exact", l->sources, arcs);
     put_lines(w, "Positions of S", l->positions, positions);
     put_lines(w, "Trajectories", l->spans, spans);
     put_contacts(w, l);

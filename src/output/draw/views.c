@@ -227,6 +227,7 @@ graze_status view_classes(canvas *c, graze_context *context, const picture *p) {
         draw_outline(c, p, k, &outline_between);
     draw_outline(c, p, last, &outline_end);
     draw_outline(c, p, 0, &outline_start);
+    arcs_draw(c, p);
     c->kind->unclip(c);
     panel_frame(c, at, (const char[]){axes[p->cells.axis[0]], axes[p->cells.axis[1]]});
     TRY(draw_points(c, context, p, at, 1));

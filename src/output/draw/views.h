@@ -4,6 +4,7 @@
 #define GRAZE_OUTPUT_DRAW_VIEWS_H
 
 #include "output/draw/panel.h"
+#include "questions/outline/outline.h"
 
 /* Paths, and drawing on a canvas (draw.h). */
 
@@ -120,6 +121,8 @@ void mark_contact(canvas *c, double x, double y, graze_kind kind, graze_cell_kin
 extern const style outline_start, outline_end, outline_between;
 /** Level lines of the distance, and the border between cells of different answers. */
 extern const style line_level, line_border;
+/** Arcs of the outline, by curve_source. */
+extern const style arc_style[3];
 /** The rectangle of the cells, seen in space. */
 extern const style outline_plane;
 /** A trajectory outside, inside and on the boundary of S. */
@@ -130,6 +133,7 @@ typedef struct legend {
     int tones[TONE_COUNT];
     const cells *cells; /* coloured by distance; NULL: by class */
     int positions[4];   /* outlines of S at the start, between, at the end; the cells' plane */
+    int sources[3];     /* arcs of the outline, by curve_source */
     int spans[3];       /* parts of trajectories outside S, inside, sliding on its boundary */
     int contacts[3][4]; /* by kind and cell; kind 0 is the end of a slide */
 } legend;
@@ -221,7 +225,9 @@ typedef struct picture {
     double *points; /* three coordinates each */
     legend legend;
     panel classes, positions, trajectories;
-    int has_positions, has_trajectories, failed; /* without memory */
+    graze_outline outline; /* of a polygon by class, if has_arcs */
+    outline_polygon arcs;
+    int has_arcs, has_positions, has_trajectories, failed; /* failed: without memory */
 } picture;
 
 /** Choose the windows and sizes of the panels, not yet their places.
@@ -237,6 +243,13 @@ size_t views_outside(const picture *p);
 graze_status view_classes(canvas *c, graze_context *context, const picture *p);
 /** Draw the panel of the positions of S in space, as the viewer sees them. */
 graze_status view_positions(canvas *c, graze_context *context, const picture *p);
+
+/** Make the arcs of a polygon's outline, after views_fit; none where the outline is beyond a
+ * limit. The caller calls arcs_clear in any case. */
+graze_status arcs_make(picture *p, graze_context *context);
+void arcs_clear(picture *p);
+/** Draw the arcs into the panel of the classes. */
+void arcs_draw(canvas *c, const picture *p);
 
 /* The panel of trajectories. */
 
