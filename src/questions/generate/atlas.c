@@ -152,14 +152,6 @@ static graze_status survey_pairs(surveyor *s, charts *to) {
     return GRAZE_OK;
 }
 
-/* Singular points of quadrics. */
-static graze_status survey_apexes(surveyor *s) {
-    for (size_t k = 0; k < s->count; k++)
-        if (s->out->solid->surface[s->order[k]].degree == 2)
-            TRY(charts_add_singular(&s->out->vertices, &s->polynomial[k]));
-    return GRAZE_OK;
-}
-
 /* Add vertices where straight edges meet surfaces. */
 static graze_status survey_corners(surveyor *s) {
     int left = MOST_CORNERS;
@@ -238,7 +230,9 @@ static graze_status survey(surveyor *s, const instant *instants, size_t count) {
     TRY(order_surfaces(s));
     TRY(survey_faces(s));
     TRY(survey_pairs(s, d == 3 ? &s->out->edges : &s->out->vertices));
-    TRY(survey_apexes(s));
+    for (size_t k = 0; k < s->count; k++)
+        if (s->out->solid->surface[s->order[k]].degree == 2)
+            TRY(charts_add_singular(&s->out->vertices, &s->polynomial[k]));
     if (d == 3)
         TRY(survey_corners(s));
     return survey_touches(s, instants, count);

@@ -94,23 +94,18 @@ static graze_status add_plane_section(charts *list, const fmpq_mpoly_t linear,
     return charts_add_section(list, &part, p);
 }
 
-/* Add the zeros of p where a linear factor of q is zero. */
-static graze_status add_sections(charts *list, const fmpq_mpoly_t p, const fmpq_mpoly_t q) {
-    IN_RING(fmpq_mpoly_factor, parts, list->ring);
-    if (!fmpq_mpoly_is_zero(q, list->ring) && fmpq_mpoly_factor(parts, q, list->ring))
-        for (slong k = 0; k < parts->num; k++)
-            if (fmpq_mpoly_total_degree_si(parts->poly + k, list->ring) == 1)
-                TRY(add_plane_section(list, parts->poly + k, p));
-    return GRAZE_OK;
-}
-
 /* Add the zeros of `low` where a linear factor of the remainder of `high` divided by `low` is zero.
  */
 static graze_status add_remainder(charts *list, const fmpq_mpoly_t high, const fmpq_mpoly_t low) {
     IN_RING(fmpq_mpoly, quotient, list->ring);
     IN_RING(fmpq_mpoly, rest, list->ring);
+    IN_RING(fmpq_mpoly_factor, parts, list->ring);
     fmpq_mpoly_divrem(quotient, rest, high, low, list->ring);
-    return add_sections(list, low, rest);
+    if (!fmpq_mpoly_is_zero(rest, list->ring) && fmpq_mpoly_factor(parts, rest, list->ring))
+        for (slong k = 0; k < parts->num; k++)
+            if (fmpq_mpoly_total_degree_si(parts->poly + k, list->ring) == 1)
+                TRY(add_plane_section(list, parts->poly + k, low));
+    return GRAZE_OK;
 }
 
 /* Add common zeros of two irreducible polynomials, if one of them is linear or the remainder of

@@ -105,17 +105,11 @@ static int draw_tangency(touchpoint *p, random_stream *r) {
     return draw_from(p, &a->faces, r, &from) && draw_time(p, from->mark, r);
 }
 
-static int draw_any_chart(touchpoint *p, random_stream *r) {
+static int draw_touch(touchpoint *p, graze_stratum stratum, random_stream *r) {
     const atlas *a = p->g->atlas;
     const chart *from;
-    size_t choice = random_below(r, 4);
-    return draw_from(p, choice < 2 ? &a->faces : choice == 2 ? &a->edges : &a->vertices, r, &from);
-}
-
-static int draw_touch(touchpoint *p, graze_stratum stratum, random_stream *r) {
-    const struct graze_generator *g = p->g;
-    const chart *from;
-    p->when = stratum_instant(g, stratum, r);
+    size_t choice;
+    p->when = stratum_instant(p->g, stratum, r);
     if (!p->when)
         return 0;
     switch (stratum) {
@@ -123,17 +117,22 @@ static int draw_touch(touchpoint *p, graze_stratum stratum, random_stream *r) {
     case GRAZE_STRATUM_FACE_ODD:
         return draw_tangency(p, r);
     case GRAZE_STRATUM_SLIDE:
-        return random_below(r, 2) ? draw_tangency(p, r) : draw_from(p, &g->atlas->faces, r, &from);
+        return random_below(r, 2) ? draw_tangency(p, r) : draw_from(p, &a->faces, r, &from);
     case GRAZE_STRATUM_EDGE:
-        return draw_from(p, &g->atlas->edges, r, &from);
+        return draw_from(p, &a->edges, r, &from);
     case GRAZE_STRATUM_VERTEX:
-        return draw_from(p, random_below(r, 2) ? &g->atlas->vertices : &g->atlas->edges, r, &from);
+        return draw_from(p, random_below(r, 2) ? &a->vertices : &a->edges, r, &from);
     case GRAZE_STRATUM_CROSSING:
-        return draw_from(p, &g->atlas->faces, r, &from);
+        return draw_from(p, &a->faces, r, &from);
     case GRAZE_STRATUM_START:
     case GRAZE_STRATUM_END:
     case GRAZE_STRATUM_BREAK:
-        return draw_any_chart(p, r);
+        choice = random_below(r, 4);
+        return draw_from(p,
+                         choice < 2    ? &a->faces
+                         : choice == 2 ? &a->edges
+                                       : &a->vertices,
+                         r, &from);
     default:
         return 0;
     }
@@ -178,14 +177,6 @@ static void measure_cell(touchpoint *p) {
         p->kind = d - 1;
     else if (!apex && !p->isolated && d == 3 && fmpq_mat_rref(gradients, gradients) < 3)
         p->kind = 1;
-}
-
-static int kind_fits(graze_stratum stratum, int kind, int d) {
-    if (stratum >= GRAZE_STRATUM_START && stratum <= GRAZE_STRATUM_BREAK)
-        return kind >= 0;
-    return kind == (stratum == GRAZE_STRATUM_EDGE     ? 1
-                    : stratum == GRAZE_STRATUM_VERTEX ? 0
-                                                      : d - 1);
 }
 
 /* Choose one of the surfaces and turn its tangent plane outwards. The outer side is found for the
@@ -288,7 +279,10 @@ graze_status curved_contact(int *made, sample *out, fmpq *normal, graze_context 
     if (*made) {
         TRY(find_dependence(&p));
         measure_cell(&p);
-        *made = kind_fits(stratum, p.kind, g->atlas->solid->dimension);
+        *made = stratum >= GRAZE_STRATUM_START && stratum <= GRAZE_STRATUM_BREAK ? p.kind >= 0
+                : stratum == GRAZE_STRATUM_EDGE                                  ? p.kind == 1
+                : stratum == GRAZE_STRATUM_VERTEX                                ? p.kind == 0
+                                                  : p.kind == g->atlas->solid->dimension - 1;
     }
     if (*made) {
         choose_surface(&p, r);

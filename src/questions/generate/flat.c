@@ -38,15 +38,6 @@ void flat_point(fmpq *out, const flat *f, const fmpq *s) {
     }
 }
 
-/* The coefficient of parameter j in a linear polynomial; the constant if j = -1. */
-static void linear_coefficient(fmpq_t out, const fmpq_mpoly_t linear, int j,
-                               const fmpq_mpoly_ctx_t ring) {
-    ulong power[3] = {0, 0, 0};
-    if (j >= 0)
-        power[j] = 1;
-    fmpq_mpoly_get_coeff_fmpq_ui(out, linear, power, ring);
-}
-
 void flat_coordinates(fmpq_mpoly_struct *const *out, const flat *f, const fmpq_mpoly_ctx_t ring) {
     IN_RING(fmpq_mpoly, term, ring);
     for (int i = 0; i < f->dimension; i++) {
@@ -63,9 +54,8 @@ void flat_coordinates(fmpq_mpoly_struct *const *out, const flat *f, const fmpq_m
 void flat_cut(flat *f, const fmpq_mpoly_t linear, const fmpq_mpoly_ctx_t ring) {
     LOCAL_VEC(fmpq, h, 5);
     fmpq *constant = h + 3, *size = h + 4;
-    for (int j = 0; j < f->count; j++)
-        linear_coefficient(h + j, linear, j, ring);
-    linear_coefficient(constant, linear, -1, ring);
+    for (int j = 0; j <= 3; j++)
+        fmpq_mpoly_get_coeff_fmpq_ui(h + j, linear, (ulong[]){j == 0, j == 1, j == 2}, ring);
     int pivot = vector_widest(size, h, f->count), to = 0;
     fmpq_div(constant, constant, h + pivot);
     for (int i = 0; i < 3; i++)

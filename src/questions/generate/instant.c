@@ -39,14 +39,11 @@ static void evaluate_rows(fmpz *out, const point_map *map, const fmpq_t u, slong
     evaluate(out + entries + d, map->weight, fmpq_numref(u), power, degree, order);
 }
 
-/* out = a b, square matrices. */
-static void multiply(fmpz *out, const fmpz *a, const fmpz *b, int size) {
-    for (int i = 0; i < size; i++)
-        for (int j = 0; j < size; j++) {
-            fmpz_mul(out + i * size + j, a + i * size, b + j);
-            for (int k = 1; k < size; k++)
-                fmpz_addmul(out + i * size + j, a + i * size + k, b + k * size + j);
-        }
+/* Entry j of a row vector times a square matrix. */
+static void row_entry(fmpz_t out, const fmpz *row, const fmpz *matrix, int j, int size) {
+    fmpz_mul(out, row, matrix + j);
+    for (int k = 1; k < size; k++)
+        fmpz_addmul(out, row + k, matrix + k * size + j);
 }
 
 /* Set `carried`: the derivatives of the tracing map times the placing map. */
@@ -58,7 +55,8 @@ static void carry(instant *i, const point_map *tracing, const point_map *placing
     for (int k = 0; k < INSTANT_DERIVATIVES; k++) {
         i->carried[k] = _fmpz_vec_init(size * size);
         evaluate_rows(derivative, tracing, i->u, k + 1);
-        multiply(i->carried[k], derivative, place, size);
+        for (int e = 0; e < size * size; e++)
+            row_entry(i->carried[k] + e, derivative + e / size * size, place, e % size, size);
     }
 }
 
@@ -102,13 +100,6 @@ void instant_clear(instant *i) {
     _fmpz_vec_clear(i->inverse, (d + 1) * (d + 1));
     for (int k = 0; k < INSTANT_DERIVATIVES; k++)
         _fmpz_vec_clear(i->carried[k], (d + 1) * (d + 1));
-}
-
-/* Entry j of a row vector times a square matrix. */
-static void row_entry(fmpz_t out, const fmpz *row, const fmpz *matrix, int j, int size) {
-    fmpz_mul(out, row, matrix + j);
-    for (int k = 1; k < size; k++)
-        fmpz_addmul(out, row + k, matrix + k * size + j);
 }
 
 void instant_pullback(fmpz *out, const instant *i, const fmpz *form, int k) {

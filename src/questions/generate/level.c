@@ -38,16 +38,7 @@ static graze_status draw_length(double *out, graze_context *context, int decade,
     return rational_nearest(out, context, length);
 }
 
-/* Round down to `places` binary places. */
-static void round_to_places(fmpq_t x, long places) {
-    LOCAL(fmpz, whole);
-    rational_shift(x, places);
-    fmpz_fdiv_q(whole, fmpq_numref(x), fmpq_denref(x));
-    fmpq_set_fmpz(x, whole);
-    rational_shift(x, -places);
-}
-
-/* Move a point by about `length` along a direction and round it; the distance is computed
+/* Move a point by about `length` along a direction and round it down; the distance is computed
  * afterwards. */
 static graze_status move_along(fmpq *point, graze_context *context, const fmpq *normal, int d,
                                double length) {
@@ -61,11 +52,15 @@ static graze_status move_along(fmpq *point, graze_context *context, const fmpq *
         size += n[i] * n[i];
     }
     int exponent;
+    LOCAL(fmpz, whole);
     (void)frexp(length, &exponent);
     for (int i = 0; i < d; i++) {
         TRY(rational_from_double(part, context, n[i] / sqrt(size) * length));
         fmpq_add(point + i, point + i, part);
-        round_to_places(point + i, PLACE_BITS - exponent);
+        rational_shift(point + i, PLACE_BITS - exponent);
+        fmpz_fdiv_q(whole, fmpq_numref(point + i), fmpq_denref(point + i));
+        fmpq_set_fmpz(point + i, whole);
+        rational_shift(point + i, exponent - PLACE_BITS);
     }
     return GRAZE_OK;
 }

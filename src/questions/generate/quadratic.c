@@ -34,11 +34,7 @@ void quadratic_read(quadratic *q, const fmpq_mpoly_t p, int count, const fmpq_mp
         fmpq_zero(q->start + i);
     for (int i = -1; i < count; i++)
         for (int j = i < 0 ? -1 : i; j < count; j++) {
-            ulong power[3] = {0, 0, 0};
-            if (i >= 0)
-                power[i]++;
-            if (j >= 0)
-                power[j]++;
+            ulong power[3] = {(i == 0) + (j == 0), (i == 1) + (j == 1), (i == 2) + (j == 2)};
             fmpq *to = j < 0 ? q->value : i < 0 ? q->slope + j : q->form + 3 * i + j;
             fmpq_mpoly_get_coeff_fmpq_ui(to, p, power, ring);
             if (i < 0 || i == j)
@@ -82,10 +78,6 @@ int quadratic_center(quadratic *q) {
     return found;
 }
 
-static int is_square(const fmpq_t x) {
-    return fmpz_is_square(fmpq_numref(x)) && fmpz_is_square(fmpq_denref(x));
-}
-
 /* The coefficients of x^2 and of x of the polynomial at start + x v. */
 static void restrict_to_line(fmpq *square, fmpq *first, const quadratic *q, const fmpq *v) {
     LOCAL_VEC(fmpq, image, 3);
@@ -110,7 +102,7 @@ static int root_on_line(fmpq *x, const quadratic *q, const fmpq *v) {
     fmpq_mul_2exp(root, root, 2);
     fmpq_mul(x + 3, b, b);
     fmpq_sub(root, x + 3, root);
-    if (fmpq_sgn(root) < 0 || !is_square(root))
+    if (!fmpz_is_square(fmpq_numref(root)) || !fmpz_is_square(fmpq_denref(root)))
         return 0;
     fmpz_sqrt(fmpq_numref(root), fmpq_numref(root));
     fmpz_sqrt(fmpq_denref(root), fmpq_denref(root));

@@ -64,33 +64,25 @@ int special_roots(fmpq *out, const fmpz_poly_t p) {
     return count;
 }
 
-/* Append the rational roots in (0, 1) of g, the greatest common divisor of the vertices' normal
- * velocities. */
-static graze_status append_common_roots(specials *out, graze_context *context,
-                                        const graze_scene *scene, size_t piece, size_t simplex,
-                                        const fmpz_poly_t g) {
-    LOCAL_VEC(fmpq, u, SPECIAL_ROOTS);
-    int count = special_roots(u, g);
-    for (int k = 0; k < count && out->count < MOST_SPECIALS; k++)
-        TRY(append_special(out, context, scene, piece, u + k, simplex, 0));
-    return GRAZE_OK;
-}
-
+/* Append the rational roots in (0, 1) of the greatest common divisor of the vertices' normal
+ * velocities, or a slide if that is 0. */
 static graze_status look_at(specials *out, graze_context *context, const graze_scene *scene,
                             size_t piece, size_t simplex, const fmpz *plane) {
     const graze_solid *solid = scene->solid;
     int d = solid->input.dimension;
     LOCAL(fmpz_poly, common);
     LOCAL(fmpz_poly, velocity);
+    LOCAL_VEC(fmpq, u, SPECIAL_ROOTS);
     for (int k = 0; k < d; k++) {
         special_velocity(velocity, scene, piece, plane,
                          solid->input.coordinates + solid->cut.item[simplex].vertex[k] * (size_t)d);
         fmpz_poly_gcd(common, common, velocity);
     }
     if (fmpz_poly_is_zero(common))
-        TRY(append_special(out, context, scene, piece, &(fmpq){1, 2}, simplex, 1));
-    else
-        TRY(append_common_roots(out, context, scene, piece, simplex, common));
+        return append_special(out, context, scene, piece, &(fmpq){1, 2}, simplex, 1);
+    int count = special_roots(u, common);
+    for (int k = 0; k < count && out->count < MOST_SPECIALS; k++)
+        TRY(append_special(out, context, scene, piece, u + k, simplex, 0));
     return GRAZE_OK;
 }
 

@@ -126,14 +126,12 @@ static int draw_on_point(touchpoint *p, const struct graze_generator *g, const f
                          const fmpq *h) {
     LOCAL_VEC(fmpq, weight, 3);
     LOCAL(fmpq, total);
+    vector_cross(weight, f, h);
+    int inside = 1;
     for (int k = 0; k < 3; k++) {
-        fmpq_mul(weight + k, f + (k + 1) % 3, h + (k + 2) % 3);
-        fmpq_submul(weight + k, f + (k + 2) % 3, h + (k + 1) % 3);
         fmpq_add(total, total, weight + k);
+        inside &= fmpq_sgn(weight) * fmpq_sgn(weight + k) > 0;
     }
-    int sign = fmpq_sgn(weight), inside = sign != 0;
-    for (int k = 1; k < 3; k++)
-        inside = inside && fmpq_sgn(weight + k) == sign;
     for (int k = 0; k < 3 && inside; k++)
         fmpq_div(weight + k, weight + k, total);
     if (inside)
@@ -192,17 +190,11 @@ static int draw_tangent(touchpoint *p, const struct graze_generator *g, random_s
     return drawn;
 }
 
-/* Draw a point of a cell of any dimension, of a face most often. */
-static int draw_anywhere(touchpoint *p, const struct graze_generator *g, random_stream *r) {
-    int d = g->scene->motion->dimension;
-    size_t choice = random_below(r, 4);
-    return draw_on_cell(p, g, r, choice < 2 ? d - 1 : choice == 2 && d == 3 ? 1 : 0);
-}
-
 /* Draw a time and a body point for a stratum of contacts. */
 static int draw_contact(touchpoint *p, const struct graze_generator *g, graze_stratum stratum,
                         random_stream *r) {
     int d = g->scene->motion->dimension;
+    size_t choice;
     p->when = stratum_instant(g, stratum, r);
     if (!p->when)
         return 0;
@@ -219,8 +211,9 @@ static int draw_contact(touchpoint *p, const struct graze_generator *g, graze_st
         return draw_on_cell(p, g, r, d - 1);
     case GRAZE_STRATUM_START:
     case GRAZE_STRATUM_END:
-    case GRAZE_STRATUM_BREAK:
-        return draw_anywhere(p, g, r);
+    case GRAZE_STRATUM_BREAK: /* a cell of any dimension, a face most often */
+        choice = random_below(r, 4);
+        return draw_on_cell(p, g, r, choice < 2 ? d - 1 : choice == 2 && d == 3);
     case GRAZE_STRATUM_SLIDE:
         return draw_special(p, g, r, 1);
     default:
@@ -228,18 +221,10 @@ static int draw_contact(touchpoint *p, const struct graze_generator *g, graze_st
     }
 }
 
-/* An outward normal of the moved facet. */
-static void outward_normal(fmpq *out, const touchpoint *p, const struct graze_generator *g) {
-    int d = p->when->dimension;
-    LOCAL_VEC(fmpz, plane, d + 1);
-    int facing = solid_plane(plane, g->scene->solid, p->simplex);
-    _fmpz_vec_scalar_mul_si(plane, plane, d + 1, facing);
-    instant_normal(out, p->when, plane);
-}
-
 int straight_contact(sample *out, fmpq *normal, const struct graze_generator *g,
                      graze_stratum stratum, random_stream *r) {
     LOCAL_VEC(fmpq, y, 3);
+    LOCAL_VEC(fmpz, plane, 4);
     touchpoint p = {.y = y};
     int made = draw_contact(&p, g, stratum, r);
     if (made) {
@@ -253,7 +238,10 @@ int straight_contact(sample *out, fmpq *normal, const struct graze_generator *g,
         fmpq_set(out->time, p.when->t);
         made = stratum_takes_order(stratum, out->made.order);
     }
-    if (made && normal)
-        outward_normal(normal, &p, g);
+    if (made && normal) {
+        int facing = solid_plane(plane, g->scene->solid, p.simplex);
+        _fmpz_vec_scalar_mul_si(plane, plane, p.when->dimension + 1, facing);
+        instant_normal(normal, p.when, plane);
+    }
     return made;
 }
