@@ -48,9 +48,15 @@ static void put_pair_contact(json_writer *w, const char *key, const graze_pair *
     json_close(w, '}');
 }
 
-/* Write the first contact; if the motion begins in I, its start time, without cells. */
+/* Write the first contact; if the motion begins in I, its start time, without cells; of all motions
+ * within an error, its bounds. */
 static void put_first(json_writer *w, const graze_pair *pair) {
-    if (pair->start) {
+    if (pair->is_bounded) {
+        json_open(w, "first", '{');
+        json_time(w, "low", pair->bounds.low);
+        json_time(w, "high", pair->bounds.high);
+        json_close(w, '}');
+    } else if (pair->start) {
         json_open(w, "first", '{');
         json_time(w, "from", pair->start);
         put_near_decimal(w, pair->start);
@@ -87,21 +93,27 @@ static void put_closest(json_writer *w, const graze_pair *pair) {
 void pair_json(text *out, const graze_pair *pair) {
     json_writer w = {.out = out};
     const char next[] = {(char)collide_next(pair), '\0'};
-    int first = pair->options.first;
     json_open(&w, NULL, '{');
-    json_text(&w, "verdict", pair_verdict_word(pair));
-    json_text(&w, "word", pair->walk.word);
-    if (first)
+    if (pair->is_bounded) {
+        json_rational(&w, "motion_error", pair->error);
+    } else {
+        json_text(&w, "verdict", pair_verdict_word(pair));
+        json_text(&w, "word", pair->walk.word);
+    }
+    if (pair->options.first && !pair->is_bounded)
         json_text(&w, "next", *next ? next : NULL);
     if (!fmpq_is_zero(pair->distance))
         json_rational(&w, "clearance", pair->distance);
     put_first(&w, pair);
+    if (pair->is_bounded) {
+        json_ends(&w, "}\n");
+        return;
+    }
     json_open(&w, "contacts", '[');
     for (size_t k = 0; k < pair->walk.contact_count; k++)
         put_pair_contact(&w, NULL, pair, &pair->walk.contact[k]);
     json_close(&w, ']');
     if (pair->closest.time)
         put_closest(&w, pair);
-    json_close(&w, '}');
-    text_put(out, "\n");
+    json_ends(&w, "}\n");
 }

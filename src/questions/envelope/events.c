@@ -86,9 +86,7 @@ static int compare_at_one_time(const void *left, const void *right) {
 
 static graze_status add_event_time(event_list *list, graze_context *context, size_t piece,
                                    const algebraic *u) {
-    list->time[list->time_count] = time_create(list->motion, piece, u);
-    if (!list->time[list->time_count])
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for times");
+    TRY(time_make(&list->time[list->time_count], context, list->motion, piece, u));
     list->time_count++;
     return GRAZE_OK;
 }
