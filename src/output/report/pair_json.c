@@ -48,15 +48,9 @@ static void put_pair_contact(json_writer *w, const char *key, const graze_pair *
     json_close(w, '}');
 }
 
-/* Write the first contact; if the motion begins in I, its start time, without cells; of all motions
- * within an error, its bounds. */
+/* Write the first contact; if the motion begins in I, its start time, without cells. */
 static void put_first(json_writer *w, const graze_pair *pair) {
-    if (pair->is_bounded) {
-        json_open(w, "first", '{');
-        json_time(w, "low", pair->bounds.low);
-        json_time(w, "high", pair->bounds.high);
-        json_close(w, '}');
-    } else if (pair->start) {
+    if (pair->start) {
         json_open(w, "first", '{');
         json_time(w, "from", pair->start);
         put_near_decimal(w, pair->start);
@@ -94,9 +88,7 @@ void pair_json(text *out, const graze_pair *pair) {
     json_writer w = {.out = out};
     const char next[] = {(char)collide_next(pair), '\0'};
     json_open(&w, NULL, '{');
-    if (pair->is_bounded) {
-        json_rational(&w, "motion_error", pair->error);
-    } else {
+    if (!pair->is_bounded) {
         json_text(&w, "verdict", pair_verdict_word(pair));
         json_text(&w, "word", pair->walk.word);
     }
@@ -104,11 +96,15 @@ void pair_json(text *out, const graze_pair *pair) {
         json_text(&w, "next", *next ? next : NULL);
     if (!fmpq_is_zero(pair->distance))
         json_rational(&w, "clearance", pair->distance);
-    put_first(&w, pair);
     if (pair->is_bounded) {
-        json_ends(&w, "}\n");
+        json_rational(&w, "motion_error", pair->error);
+        json_open(&w, "first", '{');
+        json_time(&w, "low", pair->bounds.low);
+        json_time(&w, "high", pair->bounds.high);
+        json_ends(&w, "}}\n");
         return;
     }
+    put_first(&w, pair);
     json_open(&w, "contacts", '[');
     for (size_t k = 0; k < pair->walk.contact_count; k++)
         put_pair_contact(&w, NULL, pair, &pair->walk.contact[k]);

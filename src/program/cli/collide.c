@@ -40,8 +40,7 @@ static int check_list(const classify_options *o, int operands) {
     int alone = (o->pairs.options.closest > 0) + (o->pairs.motion_error != NULL);
     if (alone > 1 ||
         (alone && (o->pairs.options.first || o->pairs.overlap_alone || o->pairs.options.question)))
-        return complain(EXIT_USAGE, "--closest and --motion-error look at the whole motion of one "
-                                    "solid outside the other; expected one of them, and no "
+        return complain(EXIT_USAGE, "--closest, --motion-error: expected one of them, and no "
                                     "--first, --ask overlap or --inside");
     if (o->points && alone)
         return complain(EXIT_USAGE, "--closest and --motion-error are asked of one pair; expected "

@@ -22,14 +22,6 @@ typedef struct approach {
     fmpq_t u;
 } approach;
 
-static void approach_init(approach *a, graze_context *context, const graze_pair *pair) {
-    *a = (approach){.context = context, .asked.pair = pair->pair, .asked.frame = pair->frame};
-    a->asked.pair.near = NULL;
-    fmpq_init(a->asked.distance);
-    fmpq_one(a->asked.distance);
-    fmpq_init(a->u);
-}
-
 static void approach_clear(approach *a) {
     collide_clear(&a->asked);
     fmpq_clear(a->u);
@@ -171,8 +163,13 @@ static graze_status set_time(graze_pair *pair, const approach *a, const algebrai
 graze_status collide_closest(graze_pair *pair, graze_context *context) {
     graze_closest *c = &pair->closest;
     int reached;
-    HELD(approach, a, context, pair);
+    ZEROED(approach, a);
     HELD(algebraic, u);
+    a.context = context;
+    a.asked.pair = pair->pair;
+    a.asked.pair.near = NULL;
+    a.asked.frame = pair->frame;
+    fmpq_one(a.asked.distance);
     TRY(collide_set_clearance(&a.asked, context));
     double size = size_of(&pair->pair, 0) + size_of(&pair->pair, 1);
     double tolerance = pair->options.closest * (pair->options.closest_relative ? size : 1);

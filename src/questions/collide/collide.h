@@ -59,9 +59,10 @@ typedef struct pair_walk {
     graze_state gap;   /* state after the last time, or from t0 on; ABSENT: unknown */
     int open;          /* the last contact has not ended */
     int first; /* 1: only the first contact, and the state just after it begins, are asked for */
-    graze_state until;   /* with `first`: up to where this state begins, at `last` or t0, instead */
-    int done;            /* 1: nothing more is to be found */
-    size_t looked_piece; /* the rational time at which a gap was looked into last */
+    graze_state until; /* with `first`: up to where this state begins, at `last` or t0, instead */
+    const algebraic *limit; /* times of the last piece that may be left out are later; or NULL */
+    int done;               /* 1: nothing more is to be found */
+    size_t looked_piece;    /* the rational time at which a gap was looked into last */
     fmpq_t looked;
 } pair_walk;
 
@@ -97,8 +98,7 @@ graze_status collide_set_clearance(graze_pair *pair, graze_context *context);
 graze_status collide_answer(graze_pair *pair, graze_context *context);
 void collide_clear(graze_pair *pair);
 
-/** Walk through a pair with its solids, motion and clearance set, and `first` and `until` of its
- * walk. */
+/** Walk through a pair with its clearance set, and `first`, `until` and `limit` of its walk. */
 graze_status collide_walk(graze_pair *pair, graze_context *context);
 
 /** Enclose the least distance of a pair with its options and clearance set (proofs/collision.md

@@ -7,14 +7,12 @@
 #include "base/number/rounding.h"
 #include "questions/collide/near_pairs.h"
 
-/* The most vertices and simplices of a solid, evenly chosen, that give points, and the halvings of
- * an irrational time. */
-enum { MOST_ASKED = 256, HALVINGS = 40 };
+/* The most cells of a solid, evenly chosen, that give points; halvings of an irrational time. */
+enum { MOST_ASKED = 64, HALVINGS = 40 };
 
 typedef graze_pair collide; /* as a local that collide_clear clears */
 
-/* Replace *best by the time at which a pair enters a state at a distance, if that is earlier. Only
- * the pieces that matter are asked about. */
+/* Replace *best by the time at which a pair enters a state at a distance, if that is earlier. */
 static graze_status ask_entry(graze_time **best, graze_context *context, const graze_pair *of,
                               const solid_pair *pair, const fmpq_t distance, graze_state until) {
     graze_motion part = *pair->motion;
@@ -29,6 +27,7 @@ static graze_status ask_entry(graze_time **best, graze_context *context, const g
     p.frame = of->frame;
     p.walk.first = 1;
     p.walk.until = until;
+    p.walk.limit = of->high ? &of->high->u : NULL;
     fmpq_set(p.distance, distance);
     TRY(collide_set_clearance(&p, context));
     TRY(collide_walk(&p, context));
@@ -61,7 +60,6 @@ static graze_status ask_point(graze_pair *pair, graze_context *context, int side
     for (int i = 0; i < d; i++)
         fmpq_set_fmpz_frac(at + i, x + i, x + d);
     fmpq_sub(at + 3, pair->error, pair->distance);
-    fmpq_add(at + 3, at + 3, pair->error);
     return ask_entry(&pair->high, context, pair, &asked, at + 3, GRAZE_STATE_O);
 }
 
@@ -116,24 +114,22 @@ static graze_status ask_touching(graze_pair *pair, graze_context *context) {
 }
 
 graze_status collide_bound_first(graze_pair *pair, graze_context *context) {
-    const solid_pair *own = &pair->pair;
     const pair_walk *walk = &pair->walk;
     LOCAL_VEC(fmpq, less, 3); /* the clearance and its least sum with radii, less the error; 0 */
     pair->pair.near = NULL;   /* from here on there are others */
+    fmpq_sub(pair->distance, pair->distance, pair->error);
+    fmpq_sub(less, pair->distance, pair->error);
     clearance_least(less + 1, pair);
-    fmpq_set(less, pair->distance);
-    for (int k = 0; k < 4; k++)
-        fmpq_sub(less + k / 2, less + k / 2, pair->error);
+    fmpq_sub(less + 1, less + 1, pair->error);
     pair->bounds.low = pair->start || !walk->contact_count ? pair->start : walk->contact[0].from;
     if (pair->bounds.low && (fmpq_sgn(less) >= 0 || fmpq_sgn(less + 1) >= 0))
-        TRY(ask_entry(&pair->high, context, pair, own, less, GRAZE_STATE_I));
-    else if (pair->bounds.low && !own->round[0] && !own->round[1])
-        TRY(ask_entry(&pair->begun, context, pair, own, less + 2, GRAZE_STATE_I));
+        TRY(ask_entry(&pair->high, context, pair, &pair->pair, less, GRAZE_STATE_I));
+    else if (pair->bounds.low && !pair->pair.round[0] && !pair->pair.round[1])
+        TRY(ask_entry(&pair->begun, context, pair, &pair->pair, less + 2, GRAZE_STATE_I));
     if (pair->begun)
         TRY(ask_touching(pair, context));
     for (int side = 0; side < 2 && pair->begun; side++)
         TRY(ask_cells(pair, context, side));
-    fmpq_sub(pair->distance, pair->distance, pair->error);
     pair->bounds.high = pair->high;
     return pair->high ? time_canonicalise(pair->high, context) : GRAZE_OK;
 }
