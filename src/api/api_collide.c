@@ -92,8 +92,10 @@ FACT(const char *, graze_pair_word, graze_pair, of->walk.word, "")
 FACT(graze_state, graze_pair_next, graze_pair, collide_next(of), GRAZE_STATE_ABSENT)
 FACT(size_t, graze_pair_contact_count, graze_pair, of->walk.contact_count, 0)
 
-FACT(graze_closest, graze_pair_get_closest, graze_pair, of->closest, (graze_closest){0})
-FACT(graze_first_contact, graze_pair_get_first, graze_pair, of->bounds, (graze_first_contact){0})
+static const graze_closest no_closest;
+static const graze_first_contact no_bounds;
+FACT(graze_closest, graze_pair_get_closest, graze_pair, of->closest, no_closest)
+FACT(graze_first_contact, graze_pair_get_first, graze_pair, of->bounds, no_bounds)
 
 graze_pair_contact graze_pair_get_contact(const graze_pair *pair, size_t index) {
     graze_pair_contact out = {0};

@@ -196,7 +196,7 @@ def first_inside(answer):
 # ------------------------------------------------------------------------------------------ random motions near others
 
 def small_vector(rng, d, error):
-    """Of a length of at most `error`, often near it."""
+    """A vector of a length of at most `error`, often near it."""
     while True:
         v = [F(rng.randint(-8, 8), 8) for _ in range(d)]
         if sum(x * x for x in v) <= 1:
@@ -270,7 +270,7 @@ def forms(collide, checks):
 
 
 def many_facets(collide, checks):
-    """A prism of 514 facets, of which some give points: its floor z = 2 - t comes to the plate's top z = 0 over all of its middle."""
+    """A prism of 514 facets, some of whose vertices give points: its floor z = 2 - t comes to the plate's top z = 0 over all of its middle."""
     n = 512
     at = [(F(1 - k * k, 1 + k * k) * 4, F(2 * k, 1 + k * k) * 4) for k in (F(2 * i - n, n) * 3 for i in range(n))]
     points = [(x, y, F(z)) for z in (2, 3) for x, y in at]

@@ -16,12 +16,11 @@ static graze_status mark_start(graze_pair *pair, graze_context *context) {
 }
 
 graze_status collide_walk(graze_pair *pair, graze_context *context) {
-    pair_walk *walk = &pair->walk;
-    walk->pair = &pair->pair;
-    walk->context = context;
-    TRY(pair_walk_begin(walk));
-    TRY(pair_search(walk));
-    return pair_walk_end(walk);
+    pair->walk.pair = &pair->pair;
+    pair->walk.context = context;
+    TRY(pair_walk_begin(&pair->walk));
+    TRY(pair_search(&pair->walk));
+    return pair_walk_end(&pair->walk);
 }
 
 graze_status collide_answer(graze_pair *pair, graze_context *context) {

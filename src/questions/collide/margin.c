@@ -51,9 +51,9 @@ void clearance_square(fmpz_poly_struct out[2], const clearance *near, const soli
 
 /* The simplex of a solid with the greatest radius times `sign`. */
 static uint32_t extreme_body(const solid_pair *pair, int side, int sign) {
-    const graze_solid *solid = side ? pair->fixed : pair->moving;
+    size_t count = pair->round[side] ? (side ? pair->fixed : pair->moving)->cut.count : 0;
     uint32_t best = 0;
-    for (uint32_t k = 0; pair->round[side] && k < solid->cut.count; k++)
+    for (uint32_t k = 0; k < count; k++)
         if (sign * fmpq_cmp(body_radius(pair, side, k), body_radius(pair, side, best)) > 0)
             best = k;
     return best;

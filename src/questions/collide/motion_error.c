@@ -45,7 +45,7 @@ static graze_status ask_entry(graze_time **best, graze_context *context, const g
 
 /* Ask when a point, if it is in its solid, is deeper in the other one than the error less the
  * clearance. */
-static graze_status ask_point(graze_pair *pair, graze_context *context, int side, const fmpz *x) {
+static graze_status ask_depth(graze_pair *pair, graze_context *context, int side, const fmpz *x) {
     int d = pair->pair.motion->dimension;
     LOCAL_VEC(fmpq, at, 4);
     csg_round point = {.ends = 1, .end = at, .radius = {{0, 1}}};
@@ -73,7 +73,7 @@ static graze_status ask_cells(graze_pair *pair, graze_context *context, int side
             homogeneous_vertex(x, own, (uint32_t)k);
         else
             solid_point_within(x, own, k - vertices, 1);
-        TRY(ask_point(pair, context, side, x));
+        TRY(ask_depth(pair, context, side, x));
     }
     return GRAZE_OK;
 }
@@ -108,7 +108,7 @@ static graze_status ask_touching(graze_pair *pair, graze_context *context) {
     affine_image(mean + 6, map, mean, d);
     for (int side = 0; side < 2 && list.count; side++) {
         _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, mean + (side ? 3 : 6), d);
-        TRY(ask_point(pair, context, side, x));
+        TRY(ask_depth(pair, context, side, x));
     }
     return GRAZE_OK;
 }

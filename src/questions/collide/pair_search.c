@@ -68,7 +68,6 @@ static int is_deep(const searcher *s, const dyadic_interval *interval) {
     return deep;
 }
 
-/* Is an interval past the limit? */
 static int is_past(const searcher *s, const dyadic_interval *interval) {
     LOCAL_VEC(fmpq, end, 4);
     ends_of(end, end + 1, interval);
