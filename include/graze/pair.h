@@ -45,7 +45,20 @@ typedef struct graze_pair_options {
     int closest_relative; /**< 1: `closest` is a fraction of the sum of both solids' sizes: a size
                              is the longest side of the box around vertices, centres and ends of
                              axes, plus the greatest diameter of a ball or capsule */
+    mpq_srcptr motion_error; /**< ETA >= 0: enclose the first contact of all motions that differ by
+                                at most ETA (graze_pair_get_first), which goes alone or with
+                                `clearance`; NULL: do not */
 } graze_pair_options;
+
+/** Times between which all motions N have their first contact that are continuous maps of the
+ * moving solid at each time, with |N(t)x - M(t)x| <= ETA for the motion M and each point x of that
+ * solid: distance at most R in the world, R = 0 touching included. Interiors meet, or are nearer
+ * than R, for the first time between them too. */
+typedef struct graze_first_contact {
+    const graze_time *low;  /**< none meets before; NULL: none meets. Borrowed from the pair */
+    const graze_time *high; /**< all have met then, or do at once after; NULL: that is not proved,
+                               and some may never meet. Borrowed */
+} graze_first_contact;
 
 /** The least distance of two solids during a motion; enclosures for smaller widths lie in those for
  * greater ones. */
@@ -85,8 +98,9 @@ typedef struct graze_pair_contact {
  * time span is that of both
  * @param options NULL: the defaults
  * @return GRAZE_EUSE a NULL, or a wrong option; GRAZE_EINPUT another curved solid;
- * GRAZE_EILLEGAL dimensions differ, the motions have no time span in common, or there is a
- * clearance or a ball and a motion is no similarity; GRAZE_ELIMIT; GRAZE_ECANCELED; GRAZE_ESYSTEM
+ * GRAZE_EILLEGAL dimensions differ, the motions have no time span in common, there is a clearance
+ * or a ball and a motion is no similarity, or a ball, a motion that is not rigid and an error above
+ * the clearance; GRAZE_ELIMIT; GRAZE_ECANCELED; GRAZE_ESYSTEM
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_pair_create(graze_pair **out, graze_context *context,
                                                        const graze_solid *moving,
@@ -108,6 +122,9 @@ GRAZE_API const char *graze_pair_word(const graze_pair *pair);
 GRAZE_API graze_state graze_pair_next(const graze_pair *pair);
 /** The least distance, whatever the clearance; zero if it was not asked for, and for NULL. */
 GRAZE_API graze_closest graze_pair_get_closest(const graze_pair *pair);
+/** The first contact of all motions within options.motion_error; zero if it was not asked for, and
+ * for NULL. All other answers are then those of the option `first` at the clearance R + ETA. */
+GRAZE_API graze_first_contact graze_pair_get_first(const graze_pair *pair);
 /** Number of contacts; 0 for NULL. */
 GRAZE_API size_t graze_pair_contact_count(const graze_pair *pair);
 /** Contact `index`, in order of time; zero past the end. */

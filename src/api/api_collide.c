@@ -25,18 +25,26 @@ static graze_status make_pair(graze_pair *made, graze_context *context,
                               const graze_motion *motion_of_fixed) {
     made->options = *options;
     made->pair = pair;
+    made->frame = motion_of_fixed;
     fmpq_init(made->distance);
+    fmpq_init(made->error);
     if (options->clearance)
         fmpq_set_mpq(made->distance, options->clearance);
-    made->options.clearance = NULL; /* the caller's, and only borrowed for the call */
+    if (options->motion_error)
+        fmpq_set_mpq(made->error, options->motion_error);
+    made->is_bounded = options->motion_error != NULL;
+    made->options.first |= made->is_bounded;
+    fmpq_add(made->distance, made->distance, made->error);
+    made->options.clearance = made->options.motion_error = NULL; /* borrowed for the call alone */
     if (motion_of_fixed) {
         TRY(motion_relative(&made->own, context, made->pair.motion, motion_of_fixed));
         made->pair.motion = made->own;
     }
-    TRY(collide_set_clearance(made, context, motion_of_fixed));
+    TRY(collide_set_clearance(made, context));
     if (options->closest > 0)
-        TRY(collide_closest(made, context, motion_of_fixed));
-    return collide_answer(made, context);
+        TRY(collide_closest(made, context));
+    TRY(collide_answer(made, context));
+    return made->is_bounded ? collide_bound_first(made, context) : GRAZE_OK;
 }
 
 static graze_status check_pair_options(graze_pair_options *out, graze_context *context,
@@ -52,11 +60,15 @@ static graze_status check_pair_options(graze_pair_options *out, graze_context *c
         return api_misuse(context, name, "options.closest_relative must be 0 or 1");
     if (out->closest > 0 && (out->first || out->question == GRAZE_PAIR_INSIDE))
         return api_misuse(context, name, "the least distance goes without first and inside");
-    if (!out->clearance)
-        return GRAZE_OK;
-    TRY(api_rational_check(context, out->clearance));
-    if (mpq_sgn(out->clearance) < 0)
-        return api_misuse(context, name, "options.clearance must not be negative");
+    if (out->motion_error && (out->first || out->closest > 0 || out->question == GRAZE_PAIR_INSIDE))
+        return api_misuse(context, name, "a motion error goes without first, closest and inside");
+    for (int k = 0; k < 2; k++) {
+        mpq_srcptr length = k ? out->motion_error : out->clearance;
+        if (length)
+            TRY(api_rational_check(context, length));
+        if (length && mpq_sgn(length) < 0)
+            return api_misuse(context, name, "a clearance and a motion error are not negative");
+    }
     return GRAZE_OK;
 }
 
@@ -80,10 +92,10 @@ FACT(const char *, graze_pair_word, graze_pair, of->walk.word, "")
 FACT(graze_state, graze_pair_next, graze_pair, collide_next(of), GRAZE_STATE_ABSENT)
 FACT(size_t, graze_pair_contact_count, graze_pair, of->walk.contact_count, 0)
 
-graze_closest graze_pair_get_closest(const graze_pair *pair) {
-    graze_closest none = {0};
-    return pair ? pair->closest : none;
-}
+static const graze_closest no_closest;
+static const graze_first_contact no_bounds;
+FACT(graze_closest, graze_pair_get_closest, graze_pair, of->closest, no_closest)
+FACT(graze_first_contact, graze_pair_get_first, graze_pair, of->bounds, no_bounds)
 
 graze_pair_contact graze_pair_get_contact(const graze_pair *pair, size_t index) {
     graze_pair_contact out = {0};

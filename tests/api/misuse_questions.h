@@ -56,6 +56,17 @@ static void pairs(bench *b) {
     mpq_set_si(below, -1, 2);
     graze_pair_options negative = {.size = sizeof negative, .clearance = below};
     WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &negative));
+    graze_pair_options error = {.size = sizeof error, .motion_error = below};
+    WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &error));
+    mpq_abs(below, below);
+    error.first = 1;
+    WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &error));
+    error.first = 0;
+    error.closest = 1;
+    WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &error));
+    error.closest = 0;
+    error.question = GRAZE_PAIR_INSIDE;
+    WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &error));
     mpq_clear(below);
     assert_int_equal(graze_pair_create(&p, c, s, m, s, NULL, NULL), GRAZE_OK);
     WRONG(graze_pair_text(NULL, c, p));
@@ -72,6 +83,7 @@ static void pairs(bench *b) {
     HARMLESS(graze_pair_word, *graze_pair_word(NULL) == '\0');
     HARMLESS(graze_pair_next, graze_pair_next(NULL) == GRAZE_STATE_ABSENT);
     HARMLESS(graze_pair_get_closest, graze_pair_get_closest(NULL).time == NULL);
+    HARMLESS(graze_pair_get_first, graze_pair_get_first(NULL).low == NULL);
     HARMLESS(graze_pair_contact_count, graze_pair_contact_count(NULL) == 0);
     HARMLESS(graze_pair_get_contact, graze_pair_get_contact(NULL, 0).from == NULL);
     HARMLESS(graze_pair_overlap_time, graze_pair_overlap_time(NULL) == NULL);

@@ -211,6 +211,7 @@ def make(graze, folder):
     yield Scene("collide-list-jsonl", ["collide", *one, "--list", "pairs.csv", "--format", "jsonl"], 3, files={"pairs.csv": pairs})
     yield Scene("collide-closest", ["collide", at["ball3.csg.json"], turn, "far.csg.json", "--closest", "4", "--motion-of-fixed", turn],
                 files={"far.csg.json": b'{"dimension": 3, "solid": {"ball": {"center": [9, 0, 0], "radius": 1}}}'})
+    yield Scene("collide-error", ["collide", u, roll, u, "--motion-error", "1/64", "--clearance", "1/128"], 1)
     yield Scene("outline", ["outline", u, roll, "--operation", "unsweep", "--arcs", "a.csv", "--format", "json"], tables=("a.csv",))
     yield Scene("outline-polygon", ["outline", u, roll, "--polygon", "p.wkt", "--within", "1/8"], tables=("p.wkt",))
     yield Scene("judge", ["judge", cube, turn, cube, "--within", "1r", "--count", "3", "--vertices", "v.csv"], tables=("v.csv",),

@@ -68,6 +68,24 @@ class Collisions(unittest.TestCase):
         with self.assertRaises(graze.UseError):
             graze.collide(common.SQUARE, near, FAR, closest=1, first=True)
 
+    def test_motion_error(self):
+        """The squares are 2 - t apart: 1/4 at t = 7/4, and the middle of a side is 1/4 deep at 9/4. At a clearance of 1/2: 3/4 and 1/4 apart."""
+        motion = common.moved("t", "0", end="5")
+        for error in (Fraction(1, 4), "1/4", 0.25):
+            found = graze.collide(common.SQUARE, motion, FAR, motion_error=error)
+            self.assertEqual(found.first_contact, graze.FirstContact(Fraction(7, 4), Fraction(9, 4)))
+        found = graze.collide(common.SQUARE, motion, FAR, motion_error=Fraction(1, 4), clearance=Fraction(1, 2))
+        self.assertEqual(found.first_contact, graze.FirstContact(Fraction(5, 4), Fraction(7, 4)))
+        self.assertEqual(graze.collide(common.SQUARE, motion, FAR, motion_error=0).first_contact, graze.FirstContact(2, 2))
+        near = common.moved("t", "0", end="15/8")
+        self.assertEqual(graze.collide(common.SQUARE, near, FAR, motion_error="1/4").first_contact, graze.FirstContact(Fraction(7, 4), None))
+        away = graze.collide(common.SQUARE, common.moved("t", "0", end="1"), FAR, motion_error="1/4")
+        self.assertEqual((away.first_contact, bool(away)), (graze.FirstContact(None, None), False))
+        self.assertIsNone(graze.collide(common.SQUARE, motion, FAR).first_contact)
+        for wrong in ({"motion_error": -1}, {"motion_error": 1, "first": True}, {"motion_error": 1, "inside": True}, {"motion_error": 1, "closest": 1}):
+            with self.assertRaises(graze.UseError):
+                graze.collide(common.SQUARE, motion, FAR, **wrong)
+
     def test_never(self):
         found = graze.collide(common.SQUARE, common.moved("t", "2"), FAR)
         self.assertEqual((found.verdict, found.word, found.contacts, found.overlap, bool(found)), ("clear", "O", (), None, False))

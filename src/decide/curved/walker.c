@@ -47,9 +47,8 @@ static graze_status keep_undecided(walker *w, const dependence *d, const algebra
     if (!first)
         return GRAZE_OK;
     contact *where = &out->undecided->where;
-    where->from = where->to = time_create(w->r->scene->motion, w->piece, time);
-    if (!where->from)
-        return context_fail(w->r->context, GRAZE_ESYSTEM, "out of memory for a trace");
+    TRY(time_make(&where->from, w->r->context, w->r->scene->motion, w->piece, time));
+    where->to = where->from;
     out->undecided->reason =
         w->limited ? "the limit work was met before a rule told which signs of these surfaces "
                      "occur near there"

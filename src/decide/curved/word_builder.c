@@ -32,9 +32,8 @@ static graze_status begin_contact(word_builder *l, graze_time *time) {
 /* Begin a contact at a time, or prolong the last one to it. */
 static graze_status touch_at(word_builder *l, int begins, size_t piece, const algebraic *u) {
     graze_trace *out = l->out;
-    graze_time *time = time_create(l->motion, piece, u);
-    if (!time)
-        return no_memory(l);
+    graze_time *time;
+    TRY(time_make(&time, l->context, l->motion, piece, u));
     if (begins) {
         graze_status status = begin_contact(l, time);
         if (status)

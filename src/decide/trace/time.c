@@ -26,6 +26,13 @@ graze_time *time_create(const graze_motion *motion, size_t piece, const algebrai
     return time;
 }
 
+graze_status time_make(graze_time **out, graze_context *context, const graze_motion *motion,
+                       size_t piece, const algebraic *u) {
+    *out = time_create(motion, piece, u);
+    return *out ? GRAZE_OK
+                : context_fail(context, GRAZE_ESYSTEM, "out of memory for a time of a motion");
+}
+
 void time_destroy(graze_time *time) {
     if (!time)
         return;

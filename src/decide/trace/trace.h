@@ -31,6 +31,9 @@ struct graze_time {
 
 /** Make a time of a piece, not yet canonical; NULL if memory runs out. */
 graze_time *time_create(const graze_motion *motion, size_t piece, const algebraic *u);
+/** As time_create, or fail. */
+graze_status time_make(graze_time **out, graze_context *context, const graze_motion *motion,
+                       size_t piece, const algebraic *u);
 /** Set `out` to p(u) times a positive number, as a polynomial in the motion's parameter t. */
 void time_polynomial(fmpz_poly_t out, const fmpz_poly_t p, const motion_piece *piece);
 /** NULL is harmless. */

@@ -87,14 +87,23 @@ static void put_closest(json_writer *w, const graze_pair *pair) {
 void pair_json(text *out, const graze_pair *pair) {
     json_writer w = {.out = out};
     const char next[] = {(char)collide_next(pair), '\0'};
-    int first = pair->options.first;
     json_open(&w, NULL, '{');
-    json_text(&w, "verdict", pair_verdict_word(pair));
-    json_text(&w, "word", pair->walk.word);
-    if (first)
+    if (!pair->is_bounded) {
+        json_text(&w, "verdict", pair_verdict_word(pair));
+        json_text(&w, "word", pair->walk.word);
+    }
+    if (pair->options.first && !pair->is_bounded)
         json_text(&w, "next", *next ? next : NULL);
     if (!fmpq_is_zero(pair->distance))
         json_rational(&w, "clearance", pair->distance);
+    if (pair->is_bounded) {
+        json_rational(&w, "motion_error", pair->error);
+        json_open(&w, "first", '{');
+        json_time(&w, "low", pair->bounds.low);
+        json_time(&w, "high", pair->bounds.high);
+        json_ends(&w, "}}\n");
+        return;
+    }
     put_first(&w, pair);
     json_open(&w, "contacts", '[');
     for (size_t k = 0; k < pair->walk.contact_count; k++)
@@ -102,6 +111,5 @@ void pair_json(text *out, const graze_pair *pair) {
     json_close(&w, ']');
     if (pair->closest.time)
         put_closest(&w, pair);
-    json_close(&w, '}');
-    text_put(out, "\n");
+    json_ends(&w, "}\n");
 }

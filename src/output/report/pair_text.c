@@ -31,8 +31,11 @@ const char *cell_pair_name(const graze_cell_pair *cells) {
 enum { NEAR_DIGITS = 17, CELLS_SHOWN = 8 };
 
 /* Append a time: a rational as it is, with a decimal where it is no integer; an irrational time as
- * a decimal. The row of the motion's piece follows. */
+ * a decimal. The row of the motion's piece follows. NULL is none. */
 static void tell_pair_time(text *t, const graze_time *time) {
+    text_put(t, time ? "" : "none");
+    if (!time)
+        return;
     int rational = time_is_rational(time);
     int near = rational && !fmpz_is_one(fmpq_denref(time->low));
     unsigned long row = time->motion->piece[time_first_piece(time)].row;
@@ -135,6 +138,14 @@ static void tell_closest(text *t, const graze_pair *pair) {
 }
 
 void pair_text(text *out, const graze_pair *pair) {
+    if (pair->is_bounded) {
+        text_put(out, "first contact between ");
+        tell_pair_time(out, pair->bounds.low);
+        text_put(out, " and ");
+        tell_pair_time(out, pair->bounds.high);
+        text_put(out, "\n");
+        return;
+    }
     tell_verdict(out, pair);
     text_format(out, "word %s\n", pair->walk.word);
     for (size_t k = 0; k < pair->walk.contact_count; k++)

@@ -19,6 +19,7 @@ static const option_entry collide_table[] = {
     FLAG("inside", classify_options, pairs.options.question, value_flag),
     OPTION("closest", classify_options, pairs.options, value_closest),
     OPTION("clearance", classify_options, pairs.clearance, value_width),
+    OPTION("motion-error", classify_options, pairs.motion_error, value_width),
     FILE_READ("motion-of-fixed", classify_options, pairs.motion_of_fixed),
     FILE_READ("list", classify_options, points),
     OPTION("format", classify_options, pairs.format, value_collide_format),
@@ -36,12 +37,14 @@ static int check_list(const classify_options *o, int operands) {
     if (o->pairs.options.first && o->pairs.overlap_alone)
         return complain(EXIT_USAGE, "--first ends before an overlap is known; expected --first or "
                                     "--ask overlap");
-    if (o->pairs.options.closest > 0 &&
-        (o->pairs.options.first || o->pairs.overlap_alone || o->pairs.options.question))
-        return complain(EXIT_USAGE, "--closest looks at the whole motion of one solid outside the "
-                                    "other; expected no --first, --ask overlap or --inside");
-    if (o->points && o->pairs.options.closest > 0)
-        return complain(EXIT_USAGE, "--closest is asked of one pair; expected no --list");
+    int alone = (o->pairs.options.closest > 0) + (o->pairs.motion_error != NULL);
+    if (alone > 1 ||
+        (alone && (o->pairs.options.first || o->pairs.overlap_alone || o->pairs.options.question)))
+        return complain(EXIT_USAGE, "--closest, --motion-error: expected one of them, and no "
+                                    "--first, --ask overlap or --inside");
+    if (o->points && alone)
+        return complain(EXIT_USAGE, "--closest and --motion-error are asked of one pair; expected "
+                                    "no --list");
     if (o->points && operands)
         return complain(EXIT_USAGE, "--list names the pairs; expected no operands beside it");
     if (o->points && !is_table && o->pairs.format != FORMAT_UNSET)
@@ -67,10 +70,12 @@ static void add_list_files(guard *g, const void *options, const operands *given)
 static int print_pair(const classify_options *o, char *const file[3]) {
     const struct pair_choice *asked = &o->pairs;
     const char *clearance = asked->clearance ? asked->clearance : "";
+    const char *error = asked->motion_error ? asked->motion_error : "";
     pair_question q = {{file[0], file[1], file[2], asked->motion_of_fixed},
                        o->scene.solid_flags,
                        asked->options,
-                       {clearance, strlen(clearance)}};
+                       {clearance, strlen(clearance)},
+                       {error, strlen(error)}};
     OWNED(graze_context, context);
     OWNED(graze_pair, pair);
     ZEROED(fault, f);

@@ -89,13 +89,17 @@ static int read_shelved(const shelved **out, fault *f, graze_context *context, c
 int pair_decide(graze_pair **out, fault *f, graze_context *context, const pair_question *q) {
     const shelved *file[PAIR_FILES] = {NULL};
     LOCAL(mpq, clearance);
+    LOCAL(mpq, error);
+    mpq_ptr const read[] = {clearance, error};
+    const field number[] = {q->clearance, q->motion_error};
     graze_pair_options options = q->options;
     options.size = sizeof options;
     options.clearance = clearance;
-    if (q->clearance.length)
-        TRY(fault_of(
-            f, graze_number_parse(clearance, context, q->clearance.start, q->clearance.length),
-            context, EXIT_INPUT));
+    options.motion_error = q->motion_error.length ? error : NULL;
+    for (int k = 0; k < 2; k++)
+        if (number[k].length)
+            TRY(fault_of(f, graze_number_parse(read[k], context, number[k].start, number[k].length),
+                         context, EXIT_INPUT));
     if (mpq_sgn(clearance) < 0)
         return fault_set(f, EXIT_INPUT, "clearance %.*s: expected a number from 0 up",
                          FIELD_SHOWN(q->clearance));

@@ -28,6 +28,7 @@ typedef struct classify_options {
         graze_pair_options options;
         int overlap_alone, format; /* of graze collide */
         const char *clearance;     /* of rows without one; NULL: 0 */
+        const char *motion_error;  /* NULL: none */
         const char *motion_of_fixed;
     } pairs;
     coordinate_options coordinates;
@@ -98,6 +99,7 @@ typedef struct pair_question {
     unsigned solid_flags;
     graze_pair_options options; /* without size and clearance */
     field clearance;            /* a number; empty: 0 */
+    field motion_error;         /* a number from 0 up; empty: none */
 } pair_question;
 
 /** Decide a pair. Each file is read once, until pairs_end frees it, after all pairs.

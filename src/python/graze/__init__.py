@@ -21,7 +21,7 @@ from ._library import VERSION as __version__
 from ._library import library as _load
 from ._motions import Joint, slide, turn
 from .boundaries import Boundary
-from .collisions import CellPair, Closest, Collision, PairContact, collide
+from .collisions import CellPair, Closest, Collision, FirstContact, PairContact, collide
 from .comparison import Comparison, compare
 from .envelopes import Envelope, Event
 from .errors import (CanceledError, GrazeError, IllegalError, InputError, InternalError,
@@ -41,7 +41,7 @@ from .times import AlgebraicNumber, Time, decimal
 __all__ = [
     "AlgebraicNumber", "Boundary", "CLASS_NAMES", "CanceledError", "Cell", "CellPair", "Class", "Closest", "Collision",
     "Comparison",
-    "Contact", "CurvePart", "ENCLOSURE_DTYPE", "Enclosure", "Envelope", "Event", "GrazeError", "Greatest", "IllegalError",
+    "Contact", "CurvePart", "ENCLOSURE_DTYPE", "Enclosure", "Envelope", "Event", "FirstContact", "GrazeError", "Greatest", "IllegalError",
     "InputError", "InternalError",
     "Joint", "Judgement", "LibraryError", "LimitError", "MachineError", "Motion", "Outline", "PMC_NAMES", "Page", "Patch",
     "PairContact", "PatchJoint", "Picture",

@@ -62,6 +62,15 @@ class Closest:
 
 
 @dataclass(frozen=True)
+class FirstContact:
+    """Times between which all motions within an error have their first contact: before `low` none meets, None if none ever does;
+    at `high` all have met, or do at once after, None where that is not proved."""
+
+    low: Optional[Time]
+    high: Optional[Time]
+
+
+@dataclass(frozen=True)
 class Collision:
     """How two solids meet. `verdict` is `clear`, `touch` or `overlap`; `word` has a letter for each state
     in order of time: `O` apart, `B` the boundaries alone meet, `I` the interiors meet. `overlap` is the
@@ -69,7 +78,8 @@ class Collision:
 
     With `first` the word ends with the letter just after the first instant of contact, `next`: `B` where
     the contact lasts, None where the motion ends there. `verdict` is `clear` (with `inside`: `inside`),
-    `overlap` where the motion begins in `I`, else `meets`; `next` is None but for `meets`."""
+    `overlap` where the motion begins in `I`, else `meets`; `next` is None but for `meets`. With `motion_error` all but
+    `first_contact` is as with `first` at that much more clearance."""
 
     verdict: str
     word: str
@@ -77,6 +87,7 @@ class Collision:
     overlap: Optional[Time]
     next: Optional[str] = None
     closest: Optional[Closest] = None
+    first_contact: Optional[FirstContact] = None
 
     def __bool__(self) -> bool:
         """Whether the closed solids meet."""
@@ -111,7 +122,7 @@ def _closest(made: ctypes.Structure, dimension: int) -> Optional[Closest]:
 
 def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Optional[MotionLike] = None,
             *, first: bool = False, inside: bool = False, clearance: Any = 0, closest: Any = None,
-            round: str = "none", limits: Optional[Mapping[str, int]] = None) -> Collision:
+            motion_error: Any = None, round: str = "none", limits: Optional[Mapping[str, int]] = None) -> Collision:
     """Decide exactly how a moving solid meets a fixed one.
 
     Args:
@@ -126,6 +137,8 @@ def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Option
             those with points at distance R.
         closest: a width, a number or text such as `1e-10r`, relative to the sum of both sizes: the least distance is
             enclosed too. It goes without `first` and `inside`.
+        motion_error: a number ETA >= 0: `first_contact` encloses the first contact of all motions that carry each point of
+            `moving` at most ETA from where `motion` does. It goes with `clearance` alone.
         round: `binary64` or `binary32` rounds every number of solids and motions first.
         limits: limits by name, as of `graze --limit`.
     Raises:
@@ -145,8 +158,10 @@ def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Option
     parts = [input_handle(part) for part in made]
     context, pointer, call = Context(chosen), ctypes.c_void_p(), library()
     goal = filled([clearance], 1, context, "the clearance")
+    error = None if motion_error is None else filled([motion_error], 1, context, "the motion error")
     options = C.graze_pair_options(question=C.GRAZE_PAIR_INSIDE if inside else C.GRAZE_PAIR_MEETS, first=int(first),
-                                   clearance=goal.address, closest=width, closest_relative=int(relative))
+                                   clearance=goal.address, closest=width, closest_relative=int(relative),
+                                   motion_error=None if error is None else error.address)
     context.run(call.graze_pair_create, ctypes.byref(pointer), context.pointer, *(part.pointer for part in parts[:3]),
                 parts[3].pointer if len(parts) > 3 else None, ctypes.byref(options))
     with Handle(pointer, call.graze_pair_destroy, *parts) as pair:
@@ -156,7 +171,8 @@ def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Option
         verdict = call.graze_pair_verdict_name(call.graze_pair_get_verdict(pair)).decode()
         if first and inside and verdict == "clear":
             verdict = "inside"
-        after = call.graze_pair_next(pair)
+        after, reached = call.graze_pair_next(pair), call.graze_pair_get_first(pair)
+        bounds = FirstContact(*(time_of(t) if t else None for t in (reached.low, reached.high)))
         return Collision(verdict, call.graze_pair_word(pair).decode(), contacts, time_of(overlap) if overlap else None,
                          chr(after) if after else None,
-                         _closest(call.graze_pair_get_closest(pair), made[1].dimension))
+                         _closest(call.graze_pair_get_closest(pair), made[1].dimension), None if error is None else bounds)

@@ -22,14 +22,6 @@ typedef struct approach {
     fmpq_t u;
 } approach;
 
-static void approach_init(approach *a, graze_context *context, const graze_pair *pair) {
-    *a = (approach){.context = context, .asked.pair = pair->pair, .asked.options.first = 1};
-    a->asked.pair.near = NULL;
-    fmpq_init(a->asked.distance);
-    fmpq_one(a->asked.distance);
-    fmpq_init(a->u);
-}
-
 static void approach_clear(approach *a) {
     collide_clear(&a->asked);
     fmpq_clear(a->u);
@@ -43,10 +35,8 @@ static graze_status ask_distance(int *reached, approach *a, double distance) {
     int none = distance == 0 && !asked->pair.round[0] && !asked->pair.round[1];
     asked->pair.near = none ? NULL : asked->clearance;
     pair_walk_clear(walk);
-    *walk = (pair_walk){.pair = &asked->pair, .context = a->context, .first = 1};
-    TRY(pair_walk_begin(walk));
-    TRY(pair_search(walk));
-    TRY(pair_walk_end(walk));
+    walk->first = 1;
+    TRY(collide_walk(asked, a->context));
     *reached = strcmp(walk->word, "O") != 0;
     return GRAZE_OK;
 }
@@ -103,8 +93,8 @@ static graze_status narrow_distance(graze_closest *c, approach *a, double size, 
 }
 
 /* Carry a point of the fixed solid's space to the world's. */
-static void carry_to_world(fmpq *point, const graze_motion *motion, const approach *a,
-                           const graze_motion *frame) {
+static void carry_to_world(fmpq *point, const graze_motion *motion, const approach *a) {
+    const graze_motion *frame = a->asked.frame;
     size_t k = 0;
     LOCAL_VEC(fmpq, map, POINT_MAP_ENTRIES);
     LOCAL_VEC(fmpq, image, 3);
@@ -124,7 +114,7 @@ static void carry_to_world(fmpq *point, const graze_motion *motion, const approa
 /* Set the places from the stationary points of two faces, moved towards one another by the radii.
  */
 static void set_near_places(graze_closest *c, placing *p, const approach *a,
-                            const feature_pair *found, const graze_motion *frame) {
+                            const feature_pair *found) {
     int d = p->pair->motion->dimension;
     double share[2] = {0, 0}, distance = 0;
     LOCAL(fmpq, part);
@@ -142,7 +132,7 @@ static void set_near_places(graze_closest *c, placing *p, const approach *a,
         if (round)
             share[side] = fmpq_get_d(round[found->of[side].simplex].radius) *
                           sqrt(fmpq_get_d(part)) / distance;
-        carry_to_world(point + (ptrdiff_t)3 * side, p->pair->motion, a, frame);
+        carry_to_world(point + (ptrdiff_t)3 * side, p->pair->motion, a);
     }
     for (int i = 0; i < d; i++) {
         double x[2] = {fmpq_get_d(point + i), fmpq_get_d(point + 3 + i)};
@@ -153,48 +143,34 @@ static void set_near_places(graze_closest *c, placing *p, const approach *a,
 }
 
 /* Find two faces that are at most `high` apart at the time of `high`, and their places. */
-static graze_status find_near_places(graze_closest *c, approach *a, const graze_motion *frame) {
-    node_pair roots = {0, 0};
-    const node_list all = {1, 1, &roots, 0};
-    unsigned zero[2];
-    ZEROED(node_list, leaves);
-    ZEROED(near_list, near);
+static graze_status find_near_places(graze_closest *c, approach *a) {
     ZEROED(feature_list, list);
-    ZEROED(control_maps, maps);
     TRY(rational_from_double(a->asked.distance, a->context, c->high));
-    HELD(dyadic_interval, unit);
-    dyadic_interval_set_si(&unit, 0, 1);
     HELD(placing, p, a->context, &a->asked.pair, a->piece, a->u);
-    HELD(map_forms, forms, p.map[SIDE_MOVING], &unit);
-    if (!control_maps_set(&maps, &forms))
-        return context_fail(a->context, GRAZE_ESYSTEM, "out of memory for a time of a motion");
-    clearance_enclose(&maps, &p, &unit);
-    maps.least = 0; /* none are left out for being nearer */
-    TRY(near_pairs_refine(&leaves, NULL, a->context, p.pair, &maps, &all, 1));
-    TRY(near_pairs_take(&near, a->context, p.pair, &leaves));
-    for (int kind = 0; kind < features_end(&p) && !c->placed && !p.status; kind++) {
-        features_gather(&list, &p, &near, kind);
-        for (size_t k = 0; k < list.count && !c->placed && !p.status; k++)
-            if (features_sign(zero, &p, &list.item[k]) <= 0)
-                set_near_places(c, &p, a, &list.item[k], frame);
-    }
+    TRY(features_near(&list, &p));
+    if (list.count)
+        set_near_places(c, &p, a, list.item);
     return p.status;
 }
 
 /* Set the time of `high`. */
 static graze_status set_time(graze_pair *pair, const approach *a, const algebraic *u) {
-    pair->closest.time = pair->closest_time = time_create(pair->pair.motion, a->piece, u);
-    if (!pair->closest_time)
-        return context_fail(a->context, GRAZE_ESYSTEM, "out of memory for a time of a motion");
+    TRY(time_make(&pair->closest_time, a->context, pair->pair.motion, a->piece, u));
+    pair->closest.time = pair->closest_time;
     return time_canonicalise(pair->closest_time, a->context);
 }
 
-graze_status collide_closest(graze_pair *pair, graze_context *context, const graze_motion *frame) {
+graze_status collide_closest(graze_pair *pair, graze_context *context) {
     graze_closest *c = &pair->closest;
     int reached;
-    HELD(approach, a, context, pair);
+    ZEROED(approach, a);
     HELD(algebraic, u);
-    TRY(collide_set_clearance(&a.asked, context, frame));
+    a.context = context;
+    a.asked.pair = pair->pair;
+    a.asked.pair.near = NULL;
+    a.asked.frame = pair->frame;
+    fmpq_one(a.asked.distance);
+    TRY(collide_set_clearance(&a.asked, context));
     double size = size_of(&pair->pair, 0) + size_of(&pair->pair, 1);
     double tolerance = pair->options.closest * (pair->options.closest_relative ? size : 1);
     TRY(ask_distance(&reached, &a, 0));
@@ -212,5 +188,5 @@ graze_status collide_closest(graze_pair *pair, graze_context *context, const gra
     c->wide = !(c->high - c->low <= tolerance);
     fmpq_set(u.value, a.u);
     TRY(set_time(pair, &a, &u));
-    return find_near_places(c, &a, frame);
+    return find_near_places(c, &a);
 }

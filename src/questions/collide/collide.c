@@ -11,19 +11,23 @@ static graze_status mark_start(graze_pair *pair, graze_context *context) {
     if (pair->walk.word[0] != GRAZE_STATE_I)
         return GRAZE_OK;
     HELD(algebraic, zero);
-    pair->start = time_create(pair->pair.motion, 0, &zero);
-    if (!pair->start)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time of a motion");
+    TRY(time_make(&pair->start, context, pair->pair.motion, 0, &zero));
     return time_canonicalise(pair->start, context);
+}
+
+graze_status collide_walk(graze_pair *pair, graze_context *context) {
+    pair->walk.pair = &pair->pair;
+    pair->walk.context = context;
+    TRY(pair_walk_begin(&pair->walk));
+    TRY(pair_search(&pair->walk));
+    return pair_walk_end(&pair->walk);
 }
 
 graze_status collide_answer(graze_pair *pair, graze_context *context) {
     pair_walk *walk = &pair->walk;
-    *walk = (pair_walk){.pair = &pair->pair, .context = context, .first = pair->options.first};
+    walk->first = pair->options.first;
     pair->pair.complement = pair->options.question == GRAZE_PAIR_INSIDE;
-    TRY(pair_walk_begin(walk));
-    TRY(pair_search(walk));
-    TRY(pair_walk_end(walk));
+    TRY(collide_walk(pair, context));
     TRY(mark_start(pair, context));
     return walk->time_count ? times_canonicalise(walk->time, walk->time_count, context) : GRAZE_OK;
 }
@@ -32,12 +36,15 @@ void collide_clear(graze_pair *pair) {
     pair_walk_clear(&pair->walk);
     time_destroy(pair->start);
     time_destroy(pair->closest_time);
+    time_destroy(pair->begun);
+    time_destroy(pair->high);
     for (size_t k = 0; pair->clearance && k < pair->pair.motion->piece_count; k++)
         clearance_clear(&pair->clearance[k]);
     free(pair->clearance);
     for (int side = 0; side < 2; side++)
         graze_solid_destroy(pair->base[side]);
     fmpq_clear(pair->distance);
+    fmpq_clear(pair->error);
     if (pair->own)
         motion_destroy(pair->own);
 }

@@ -26,7 +26,7 @@ typedef struct clearance {
 typedef struct solid_pair {
     const graze_solid *moving, *fixed;
     const graze_motion *motion;
-    int complement;        /* 1: the closure of the complement of `fixed` stands for `fixed` */
+    int complement; /* 1: the closure of the complement of `fixed` stands for it; 2: of `moving` */
     const clearance *near; /* of each piece: distances below it count as I, at it as B; NULL: 0 */
     const csg_round *round[2]; /* of each simplex of a solid of balls and capsules; else NULL */
 } solid_pair;
@@ -59,8 +59,10 @@ typedef struct pair_walk {
     graze_state gap;   /* state after the last time, or from t0 on; ABSENT: unknown */
     int open;          /* the last contact has not ended */
     int first; /* 1: only the first contact, and the state just after it begins, are asked for */
-    int done;  /* 1: nothing more is to be found */
-    size_t looked_piece; /* the rational time at which a gap was looked into last */
+    graze_state until; /* with `first`: up to where this state begins, at `last` or t0, instead */
+    const algebraic *limit; /* times of the last piece that may be left out are later; or NULL */
+    int done;               /* 1: nothing more is to be found */
+    size_t looked_piece;    /* the rational time at which a gap was looked into last */
     fmpq_t looked;
 } pair_walk;
 
@@ -70,34 +72,43 @@ typedef struct pair_walk {
 struct graze_pair {
     solid_pair pair;
     pair_walk walk;
-    graze_motion *own; /* the relative motion if both solids move, else NULL */
-    graze_time *start; /* t0 if the word begins with I, else NULL */
+    const graze_motion *frame; /* the motion of the fixed solid, or NULL */
+    graze_motion *own;         /* the relative motion if both solids move, else NULL */
+    graze_time *start;         /* t0 if the word begins with I, else NULL */
     graze_pair_options options;
-    fmpq_t distance;      /* options.clearance */
+    fmpq_t distance;      /* options.clearance and, for a while, options.motion_error */
     clearance *clearance; /* of each piece of the motion, or NULL */
     graze_solid *base[2]; /* the points and segments of balls and capsules, or NULL */
     graze_closest closest;
     graze_time *closest_time; /* closest.time, or NULL */
+    int is_bounded;           /* 1: the first contact of motions within `error` is asked for */
+    fmpq_t error;
+    graze_first_contact bounds;
+    graze_time *begun, *high; /* the interiors begin to meet, or NULL; bounds.high */
 };
 
 /** Replace balls and capsules by their points and segments, and set the clearance of a pair with
  * its motion, whose `distance` is not negative.
- * @param frame the motion of the fixed solid, or NULL
  * @return GRAZE_EINPUT another curved solid; GRAZE_EILLEGAL the frame, or a round solid's motion,
  * changes the ratios of distances */
-graze_status collide_set_clearance(graze_pair *pair, graze_context *context,
-                                   const graze_motion *frame);
+graze_status collide_set_clearance(graze_pair *pair, graze_context *context);
 
 /** Answer a pair with its solids, motion, options and clearance set. The caller calls collide_clear
  * in any case. Times of contacts become canonical. */
 graze_status collide_answer(graze_pair *pair, graze_context *context);
 void collide_clear(graze_pair *pair);
 
+/** Walk through a pair with its clearance set, and `first`, `until` and `limit` of its walk. */
+graze_status collide_walk(graze_pair *pair, graze_context *context);
+
 /** Enclose the least distance of a pair with its options and clearance set (proofs/collision.md
  * C144).
- * @param frame the motion of the fixed solid, or NULL
  * @return as collide_set_clearance, and GRAZE_ELIMIT */
-graze_status collide_closest(graze_pair *pair, graze_context *context, const graze_motion *frame);
+graze_status collide_closest(graze_pair *pair, graze_context *context);
+
+/** Set the bounds of a pair that is answered with its `error` in its distance, and take that away
+ * again (proofs/collision.md C147). */
+graze_status collide_bound_first(graze_pair *pair, graze_context *context);
 
 /** Find the ball or capsule of a cell of a `base` with several, and number the cell's vertices
  * within it. @return 0 where there are not several, or `base` is NULL */

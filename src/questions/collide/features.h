@@ -101,6 +101,9 @@ int simplex_corners(const placing *p, pair_side side, uint32_t simplex);
 void clearance_square(fmpz_poly_struct out[2], const clearance *near, const solid_pair *pair,
                       near_pair simplices);
 
+/** Set `out` to the least clearance of any two simplices; 0 where radii or distances grow. */
+void clearance_least(fmpq_t out, const graze_pair *pair);
+
 /** Set the bounds of the clearance during an interval of the placing's piece, or at its rational
  * time, whatever the interval. */
 void clearance_enclose(control_maps *maps, const placing *p, const dyadic_interval *interval);

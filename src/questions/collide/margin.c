@@ -49,21 +49,33 @@ void clearance_square(fmpz_poly_struct out[2], const clearance *near, const soli
     square_of_sum(out, near, length);
 }
 
+/* The simplex of a solid with the greatest radius times `sign`. */
+static uint32_t extreme_body(const solid_pair *pair, int side, int sign) {
+    size_t count = pair->round[side] ? (side ? pair->fixed : pair->moving)->cut.count : 0;
+    uint32_t best = 0;
+    for (uint32_t k = 0; k < count; k++)
+        if (sign * fmpq_cmp(body_radius(pair, side, k), body_radius(pair, side, best)) > 0)
+            best = k;
+    return best;
+}
+
 /* Set `out` to the squares of the least and the greatest clearance of any pair. */
 static void square_bounds(fmpz_poly_struct out[4], const clearance *near, const solid_pair *pair) {
-    near_pair least = {0, 0}, most = {0, 0};
-    for (uint32_t k = 0; pair->round[0] && k < pair->moving->cut.count; k++) {
-        const fmpq *r = body_radius(pair, 0, k);
-        least.moving = fmpq_cmp(r, body_radius(pair, 0, least.moving)) < 0 ? k : least.moving;
-        most.moving = fmpq_cmp(r, body_radius(pair, 0, most.moving)) > 0 ? k : most.moving;
+    for (int k = 0; k < 2; k++)
+        clearance_square(
+            out + (ptrdiff_t)2 * k, near, pair,
+            (near_pair){extreme_body(pair, 0, 2 * k - 1), extreme_body(pair, 1, 2 * k - 1)});
+}
+
+void clearance_least(fmpq_t out, const graze_pair *pair) {
+    fmpq_set(out, pair->distance);
+    for (int side = 0; side < 2; side++)
+        fmpq_add(out, out, body_radius(&pair->pair, side, extreme_body(&pair->pair, side, -1)));
+    for (size_t k = 0; pair->clearance && k < 3 * pair->pair.motion->piece_count; k++) {
+        const length_ratio *ratio = &pair->clearance[k / 3].ratio[k % 3];
+        if (!fmpz_poly_equal(&ratio->square[0], &ratio->square[1]))
+            fmpq_zero(out);
     }
-    for (uint32_t k = 0; pair->round[1] && k < pair->fixed->cut.count; k++) {
-        const fmpq *r = body_radius(pair, 1, k);
-        least.fixed = fmpq_cmp(r, body_radius(pair, 1, least.fixed)) < 0 ? k : least.fixed;
-        most.fixed = fmpq_cmp(r, body_radius(pair, 1, most.fixed)) > 0 ? k : most.fixed;
-    }
-    clearance_square(out, near, pair, least);
-    clearance_square(out + 2, near, pair, most);
 }
 
 /* Lower `least`, or raise `most`, to the root of num / den >= 0. */
@@ -200,13 +212,14 @@ static graze_status set_frame_ratio(length_ratio *out, graze_context *context,
 /* Set the ratios of a piece: lengths of the world and of the moving solid in the fixed one's space.
  */
 static graze_status set_ratios(clearance *near, graze_context *context, const graze_pair *pair,
-                               size_t piece, const graze_motion *frame) {
+                               size_t piece) {
     const motion_piece *m = &pair->pair.motion->piece[piece];
-    int far = !fmpq_is_zero(pair->distance), moving = pair->pair.round[0] != NULL;
-    int terms = far + moving + (pair->pair.round[1] != NULL);
+    int far = !fmpq_is_zero(pair->distance); /* a point has no radius */
+    int moving = !fmpq_is_zero(body_radius(&pair->pair, SIDE_MOVING, 0));
+    int terms = far + moving + !fmpq_is_zero(body_radius(&pair->pair, SIDE_FIXED, 0));
     length_ratio *world = &near->ratio[0], *own = &near->ratio[1];
-    if (frame)
-        TRY(set_frame_ratio(world, context, m, frame));
+    if (pair->frame)
+        TRY(set_frame_ratio(world, context, m, pair->frame));
     if (moving) {
         if (!point_map_scale(&own->square[0], &m->forward))
             return context_fail(context, GRAZE_EILLEGAL,
@@ -223,8 +236,7 @@ static graze_status set_ratios(clearance *near, graze_context *context, const gr
     return GRAZE_OK;
 }
 
-graze_status collide_set_clearance(graze_pair *pair, graze_context *context,
-                                   const graze_motion *frame) {
+graze_status collide_set_clearance(graze_pair *pair, graze_context *context) {
     const graze_motion *motion = pair->pair.motion;
     TRY(collide_set_round(pair, context, SIDE_MOVING));
     TRY(collide_set_round(pair, context, SIDE_FIXED));
@@ -236,7 +248,7 @@ graze_status collide_set_clearance(graze_pair *pair, graze_context *context,
     for (size_t k = 0; k < motion->piece_count; k++)
         clearance_init(&pair->clearance[k], pair->distance);
     for (size_t k = 0; k < motion->piece_count; k++)
-        TRY(set_ratios(&pair->clearance[k], context, pair, k, frame));
+        TRY(set_ratios(&pair->clearance[k], context, pair, k));
     pair->pair.near = pair->clearance;
     return GRAZE_OK;
 }

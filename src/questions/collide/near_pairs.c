@@ -133,3 +133,37 @@ graze_status near_pairs_refine(node_list *near, node_list *coarse, graze_context
     }
     return r.status;
 }
+
+graze_status near_pairs_find(near_list *out, int *within, const placing *p,
+                             const dyadic_interval *interval, const node_list *of) {
+    node_pair roots = {0, 0};
+    const node_list all = {1, 1, &roots, 0};
+    ZEROED(node_list, leaves);
+    ZEROED(control_maps, maps);
+    HELD(map_forms, forms, p->map[SIDE_MOVING], interval);
+    if (!control_maps_set(&maps, &forms))
+        return context_fail(p->context, GRAZE_ESYSTEM, "out of memory for a time of a motion");
+    clearance_enclose(&maps, p, interval);
+    maps.least = within ? maps.least : 0; /* then none are left out for being nearer */
+    TRY(near_pairs_refine(&leaves, NULL, p->context, p->pair, &maps, of ? of : &all, 1));
+    if (within)
+        *within = leaves.within;
+    return near_pairs_take(out, p->context, p->pair, &leaves);
+}
+
+graze_status features_near(feature_list *out, placing *p) {
+    unsigned zero[2];
+    ZEROED(near_list, near);
+    ZEROED(feature_list, list);
+    HELD(dyadic_interval, unit);
+    dyadic_interval_set_si(&unit, 0, 1);
+    TRY(near_pairs_find(&near, NULL, p, &unit, NULL));
+    for (int kind = 0; kind < features_end(p); kind++) {
+        features_gather(&list, p, &near, kind);
+        for (size_t k = 0; k < list.count && !p->status; k++)
+            if (features_sign(zero, p, &list.item[k]) <= 0 &&
+                PLACING_ROOM(p, out, "pairs of features"))
+                out->item[out->count++] = list.item[k];
+    }
+    return p->status;
+}

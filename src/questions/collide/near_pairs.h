@@ -45,6 +45,15 @@ graze_status near_pairs_refine(node_list *near, node_list *coarse, graze_context
 graze_status near_pairs_take(near_list *out, graze_context *context, const solid_pair *pair,
                              const node_list *leaves);
 
+/** Find the pairs that may come as near as the clearance during an interval of a placing's piece,
+ * or at its rational time, among those of `of`; NULL: among all.
+ * @param[out] within node_list.within; NULL: pairs that are nearer are found too */
+graze_status near_pairs_find(near_list *out, int *within, const placing *p,
+                             const dyadic_interval *interval, const node_list *of);
+
+/** Append the pairs of faces with feet that are within the clearance at a placing's time. */
+graze_status features_near(feature_list *out, placing *p);
+
 void node_list_clear(node_list *list);
 graze_status node_list_add(node_list *list, graze_context *context, node_pair item);
 

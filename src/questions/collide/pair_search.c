@@ -68,6 +68,15 @@ static int is_deep(const searcher *s, const dyadic_interval *interval) {
     return deep;
 }
 
+static int is_past(const searcher *s, const dyadic_interval *interval) {
+    LOCAL_VEC(fmpq, end, 4);
+    ends_of(end, end + 1, interval);
+    fmpq_set(end + 3, end);
+    if (s->walk->limit && s->piece + 1 == s->walk->pair->motion->piece_count)
+        algebraic_bounds(end + 2, end + 3, s->walk->limit);
+    return fmpq_cmp(end, end + 3) > 0;
+}
+
 /* Walk to the end of an interval, by pair_walk_pass or pair_walk_on. */
 static graze_status go_over(searcher *s, const dyadic_interval *interval,
                             graze_status (*walk)(pair_walk *, size_t, const fmpq_t)) {
@@ -128,6 +137,9 @@ static int becomes_less(stretch_forms *during, size_t pairs) {
 /* Search an interval for contacts of pairs of nodes: refine them, then halve it or ask exactly.
  * `left` has pairs of leaves first, then coarse pairs. */
 static graze_status search_stretch(searcher *s, stretch_forms *during, const node_list *of) {
+    s->walk->done = is_past(s, &during->interval);
+    if (s->walk->done)
+        return GRAZE_OK;
     if (is_deep(s, &during->interval) == 2)
         return go_over(s, &during->interval, pair_walk_pass);
     ZEROED(node_list, left);

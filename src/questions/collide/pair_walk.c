@@ -16,8 +16,7 @@ enum { SOON = 8 };
 
 /* The pair at one time: the simplices that may meet, and exact places. */
 typedef struct scene_then {
-    control_maps maps;
-    node_list leaves;
+    int within; /* some pair is nearer than the clearance, and `near` is not complete */
     near_list near;
     placing p;
     int placed;
@@ -36,29 +35,9 @@ void pair_walk_clear(pair_walk *walk) {
 }
 
 static void scene_then_clear(scene_then *s) {
-    control_maps_clear(&s->maps);
-    node_list_clear(&s->leaves);
     near_list_clear(&s->near);
     if (s->placed)
         placing_clear(&s->p);
-}
-
-static graze_status lack_memory(graze_context *context) {
-    return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time of a motion");
-}
-
-/* Find the pairs that may meet during an interval of a placing's piece, or at its rational time,
- * among those of `of` or, if that is NULL, among all. */
-static graze_status find_near_pairs(scene_then *out, pair_walk *walk, const placing *p,
-                                    const dyadic_interval *interval, const node_list *of) {
-    node_pair roots = {0, 0};
-    const node_list all = {1, 1, &roots, 0};
-    HELD(map_forms, forms, p->map[SIDE_MOVING], interval);
-    TRY(control_maps_set(&out->maps, &forms) ? GRAZE_OK : lack_memory(walk->context));
-    clearance_enclose(&out->maps, p, interval);
-    TRY(near_pairs_refine(&out->leaves, NULL, walk->context, walk->pair, &out->maps, of ? of : &all,
-                          1));
-    return near_pairs_take(&out->near, walk->context, walk->pair, &out->leaves);
 }
 
 /* Place both solids at a rational time, and find the pairs. */
@@ -68,7 +47,7 @@ static graze_status place_both_at(scene_then *out, pair_walk *walk, size_t piece
     dyadic_interval_set_si(&unit, 0, 1);
     placing_init(&out->p, walk->context, walk->pair, piece, u);
     out->placed = 1;
-    return find_near_pairs(out, walk, &out->p, &unit, of);
+    return near_pairs_find(&out->near, &out->within, &out->p, &unit, of);
 }
 
 /* Find the pairs at a time: if it is irrational, from the motion during its isolating interval,
@@ -80,7 +59,7 @@ static graze_status place_both_then(scene_then *out, pair_walk *walk, const plac
         TRY(algebraic_narrow(walk->context, &time->u, step, &gain));
     return algebraic_is_rational(&time->u)
                ? place_both_at(out, walk, time->piece, time->u.value, of)
-               : find_near_pairs(out, walk, whole, &time->u.where, of);
+               : near_pairs_find(&out->near, &out->within, whole, &time->u.where, of);
 }
 
 static graze_status add_letter(pair_walk *walk, graze_state state) {
@@ -92,10 +71,8 @@ static graze_status add_letter(pair_walk *walk, graze_state state) {
 static graze_status keep_time(pair_walk *walk, size_t piece, const algebraic *u) {
     TRY(array_grow(walk->context, &walk->time, &walk->time_capacity, walk->time_count + 1,
                    sizeof *walk->time, "the times of a pair"));
-    graze_time *time = time_create(walk->pair->motion, piece, u);
-    if (!time)
-        return lack_memory(walk->context);
-    walk->time[walk->time_count++] = walk->last = time;
+    TRY(time_make(&walk->last, walk->context, walk->pair->motion, piece, u));
+    walk->time[walk->time_count++] = walk->last;
     return GRAZE_OK;
 }
 
@@ -124,7 +101,7 @@ static graze_status enter_gap(pair_walk *walk, graze_state state) {
         walk->contact[walk->contact_count - 1].right = state;
         walk->open = 0;
     }
-    walk->done = walk->first && walk->contact_count;
+    walk->done = walk->until ? state == walk->until : walk->first && walk->contact_count;
     return add_letter(walk, state);
 }
 
@@ -143,8 +120,7 @@ static graze_status enter_start(pair_walk *walk, graze_state state, scene_then *
 static graze_status look_into_gap(pair_walk *walk, size_t piece, const fmpq_t u) {
     ZEROED(scene_then, then);
     TRY(place_both_at(&then, walk, piece, u, NULL));
-    graze_state state =
-        then.leaves.within ? GRAZE_STATE_I : interiors_look(&then.p, &then.near, NULL);
+    graze_state state = then.within ? GRAZE_STATE_I : interiors_look(&then.p, &then.near, NULL);
     TRY(then.p.status);
     walk->looked_piece = piece;
     fmpq_set(walk->looked, u);
@@ -156,7 +132,7 @@ graze_status pair_walk_begin(pair_walk *walk) {
         return GRAZE_OK;
     LOCAL(fmpq, zero);
     graze_status status = look_into_gap(walk, 0, zero);
-    walk->done = walk->gap == GRAZE_STATE_I;
+    walk->done = walk->gap == (walk->until ? walk->until : GRAZE_STATE_I);
     if (walk->gap == GRAZE_STATE_B) { /* the contact may last only an instant */
         walk->gap = GRAZE_STATE_ABSENT;
         walk->contact[0].to = walk->last;
@@ -198,7 +174,7 @@ static graze_status know_gap(pair_walk *walk, size_t *piece, fmpq_t u, graze_tim
  * has the state I. `u`, on the piece `before`, is a rational time in that gap. */
 static graze_status look_at_contact(graze_state *out, pair_walk *walk, scene_then *then, placing *p,
                                     int at_start, size_t before, const fmpq_t u) {
-    if (then->leaves.within) {
+    if (then->within) {
         *out = GRAZE_STATE_I;
     } else if (!p->is_frozen && !at_start && !p->near) {
         HELD(placing, rational, walk->context, walk->pair, before, u);
@@ -272,15 +248,16 @@ graze_status pair_walk_to(pair_walk *walk, placing *whole, size_t piece, const a
     TRY(is_last(&same, walk, piece, &own));
     if (same)
         return GRAZE_OK;
-    graze_time *next = time_create(walk->pair->motion, piece, &own);
-    graze_status status = next ? walk_to_next(walk, whole, next, near) : lack_memory(walk->context);
+    graze_time *next;
+    TRY(time_make(&next, walk->context, walk->pair->motion, piece, &own));
+    graze_status status = walk_to_next(walk, whole, next, near);
     time_destroy(next);
     return status;
 }
 
 graze_status pair_walk_pass(pair_walk *walk, size_t piece, const fmpq_t u) {
     TRY(walk->gap ? GRAZE_OK : enter_gap(walk, GRAZE_STATE_I));
-    return keep_rational(walk, piece, u);
+    return walk->done ? GRAZE_OK : keep_rational(walk, piece, u);
 }
 
 graze_status pair_walk_end(pair_walk *walk) {

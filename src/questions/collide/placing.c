@@ -243,8 +243,8 @@ int placing_in_interior(placing *p, pair_side side, uint32_t vertex) {
         if (state == GRAZE_STATE_ABSENT)
             p->status = context_fail(p->context, GRAZE_EINTERNAL,
                                      "the crossings of a ray through a solid do not add up");
-        inside =
-            state == (side == SIDE_MOVING && p->pair->complement ? GRAZE_STATE_O : GRAZE_STATE_I);
+        int turned = p->pair->complement == (side == SIDE_MOVING ? 1 : 2);
+        inside = state == (turned ? GRAZE_STATE_O : GRAZE_STATE_I);
     }
     return inside;
 }

@@ -105,9 +105,7 @@ static graze_status own_time(const graze_time **out, graze_context *context, gra
         const site_side *side = &s->side[!s->side[0].present];
         HELD(algebraic, u);
         algebraic_set_rational(&u, side->u);
-        s->itself = time_create(s->scene->motion, side->piece, &u);
-        if (!s->itself)
-            return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time of a motion");
+        TRY(time_make(&s->itself, context, s->scene->motion, side->piece, &u));
     }
     *out = s->itself;
     return time_canonicalise(s->itself, context);

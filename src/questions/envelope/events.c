@@ -94,10 +94,8 @@ static graze_status number_times(event_list *list, graze_context *context, algeb
         if (k > 0)
             TRY(algebraic_compare(&order, context, where[k - 1], where[k]));
         if (order != 0) {
-            graze_time *time = time_create(list->motion, piece, where[k]);
-            if (!time)
-                return context_fail(context, GRAZE_ESYSTEM, "out of memory for times");
-            list->time[list->time_count++] = time;
+            TRY(time_make(&list->time[list->time_count], context, list->motion, piece, where[k]));
+            list->time_count++;
         }
         event->time = list->time_count - 1;
     }

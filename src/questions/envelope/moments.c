@@ -29,9 +29,8 @@ static graze_status append_boundary(moment_list *list, graze_context *context,
     LOCAL(fmpq, value);
     fmpq_set_si(value, u, 1);
     algebraic_set_rational(&at, value);
-    graze_time *time = time_create(events->motion, piece, &at);
-    if (!time)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for times");
+    graze_time *time;
+    TRY(time_make(&time, context, events->motion, piece, &at));
     list->own[list->own_count++] = time;
     list->time[list->count++] = time;
     return GRAZE_OK;

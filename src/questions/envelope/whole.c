@@ -12,9 +12,8 @@ graze_status judge_find(graze_envelope *e, graze_context *context, graze_decompo
                         const algebraic *u) {
     if (!judge_wants(e, reason))
         return GRAZE_OK;
-    graze_time *time = time_create(e->scene->motion, piece, u);
-    if (!time)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time of a motion");
+    graze_time *time;
+    TRY(time_make(&time, context, e->scene->motion, piece, u));
     time_destroy(e->found.time);
     e->found = (finding){reason, *facet, *cell, time};
     return GRAZE_OK;

@@ -1,0 +1,135 @@
+/* The time at which all motions near a given one have met at the latest (proofs/collision.md C147).
+ * Each time at which a point is deep enough is such a bound. The points do not depend on the error,
+ * so that enclosures are nested. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
+#include "base/number/rounding.h"
+#include "questions/collide/near_pairs.h"
+
+/* The most cells of a solid, evenly chosen, that give points; halvings of an irrational time. */
+enum { MOST_ASKED = 64, HALVINGS = 40 };
+
+typedef graze_pair collide; /* as a local that collide_clear clears */
+
+/* Replace *best by the time at which a pair enters a state at a distance, if that is earlier. */
+static graze_status ask_entry(graze_time **best, graze_context *context, const graze_pair *of,
+                              const solid_pair *pair, const fmpq_t distance, graze_state until) {
+    graze_motion part = *pair->motion;
+    size_t piece = of->begun ? of->begun->piece : 0;
+    int order = -1;
+    HELD(algebraic, start);
+    ZEROED(collide, p);
+    part.piece += piece;
+    part.piece_count = (of->high ? of->high->piece + 1 : part.piece_count) - piece;
+    p.pair = *pair;
+    p.pair.motion = &part;
+    p.frame = of->frame;
+    p.walk.first = 1;
+    p.walk.until = until;
+    p.walk.limit = of->high ? &of->high->u : NULL;
+    fmpq_set(p.distance, distance);
+    TRY(collide_set_clearance(&p, context));
+    TRY(collide_walk(&p, context));
+    if (p.walk.gap != until)
+        return GRAZE_OK;
+    algebraic *u = p.walk.last ? &p.walk.last->u : &start;
+    piece += p.walk.last ? p.walk.last->piece : 0;
+    if (*best && piece == (*best)->piece)
+        TRY(algebraic_compare(&order, context, u, &(*best)->u));
+    if (order >= 0)
+        return GRAZE_OK;
+    time_destroy(*best);
+    return time_make(best, context, pair->motion, piece, u);
+}
+
+/* Ask when a point, if it is in its solid, is deeper in the other one than the error less the
+ * clearance. */
+static graze_status ask_depth(graze_pair *pair, graze_context *context, int side, const fmpz *x) {
+    int d = pair->pair.motion->dimension;
+    LOCAL_VEC(fmpq, at, 4);
+    csg_round point = {.ends = 1, .end = at, .radius = {{0, 1}}};
+    csg curved = {.dimension = d, .round_count = 1, .round = &point};
+    const graze_solid solid = {.input.dimension = d, .curved = &curved};
+    solid_pair asked = pair->pair;
+    const graze_solid **own = side ? &asked.fixed : &asked.moving;
+    if (solid_locate(*own, x) == GRAZE_STATE_O)
+        return GRAZE_OK;
+    *own = &solid;
+    asked.complement = side ? 2 : 1;
+    for (int i = 0; i < d; i++)
+        fmpq_set_fmpz_frac(at + i, x + i, x + d);
+    fmpq_sub(at + 3, pair->error, pair->distance);
+    return ask_entry(&pair->high, context, pair, &asked, at + 3, GRAZE_STATE_O);
+}
+
+/* Ask about vertices and centres of simplices. */
+static graze_status ask_cells(graze_pair *pair, graze_context *context, int side) {
+    const graze_solid *own = side ? pair->pair.fixed : pair->pair.moving;
+    size_t vertices = own->input.vertex_count, count = vertices + own->cut.count;
+    LOCAL_VEC(fmpz, x, 4);
+    for (size_t k = 0; k < count; k += count / MOST_ASKED + 1) {
+        if (k < vertices)
+            homogeneous_vertex(x, own, (uint32_t)k);
+        else
+            solid_point_within(x, own, k - vertices, 1);
+        TRY(ask_depth(pair, context, side, x));
+    }
+    return GRAZE_OK;
+}
+
+/* Ask about the mean of each solid's points that touch when the interiors begin to meet. */
+static graze_status ask_touching(graze_pair *pair, graze_context *context) {
+    int d = pair->pair.motion->dimension;
+    double size = fmin(box_extent(&pair->pair.moving->boxes.node[0].box), 0x1p900);
+    ZEROED(feature_list, list);
+    algebraic *time = &pair->begun->u; /* narrowed, which does not change it */
+    LOCAL_VEC(fmpq, map, POINT_MAP_ENTRIES);
+    LOCAL_VEC(fmpq, mean, 9); /* of both in the fixed solid's space, then in the moving one's */
+    LOCAL_VEC(fmpq, u, 3);
+    LOCAL_VEC(fmpz, x, 4);
+    for (int k = 0; k < HALVINGS && !algebraic_is_rational(time); k++)
+        algebraic_refine(time);
+    algebraic_bounds(u, u + 1, time);
+    TRY(rational_from_double(u + 2, context, 0x1p-20 * size));
+    HELD(clearance, about, u + 2);
+    HELD(placing, p, context, &pair->pair, pair->begun->piece, u);
+    p.near = &about;
+    TRY(features_near(&list, &p));
+    fmpq_set_ui(u + 1, 1, list.count + !list.count);
+    for (size_t k = 0; k < list.count; k++) {
+        LOCAL_VEC(fmpq, point, 6);
+        HELD(stationary, found, &p, &list.item[k]);
+        stationary_points(point, &p, &found);
+        for (int i = 0; i < 6; i++)
+            fmpq_addmul(mean + i, u + 1, point + i);
+    }
+    point_map_at(map, &pair->pair.motion->piece[pair->begun->piece].inverse, u);
+    affine_image(mean + 6, map, mean, d);
+    for (int side = 0; side < 2 && list.count; side++) {
+        _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, mean + (side ? 3 : 6), d);
+        TRY(ask_depth(pair, context, side, x));
+    }
+    return GRAZE_OK;
+}
+
+graze_status collide_bound_first(graze_pair *pair, graze_context *context) {
+    const pair_walk *walk = &pair->walk;
+    LOCAL_VEC(fmpq, less, 3); /* the clearance and its least sum with radii, less the error; 0 */
+    pair->pair.near = NULL;   /* from here on there are others */
+    fmpq_sub(pair->distance, pair->distance, pair->error);
+    fmpq_sub(less, pair->distance, pair->error);
+    clearance_least(less + 1, pair);
+    fmpq_sub(less + 1, less + 1, pair->error);
+    pair->bounds.low = pair->start || !walk->contact_count ? pair->start : walk->contact[0].from;
+    if (pair->bounds.low && (fmpq_sgn(less) >= 0 || fmpq_sgn(less + 1) >= 0))
+        TRY(ask_entry(&pair->high, context, pair, &pair->pair, less, GRAZE_STATE_I));
+    else if (pair->bounds.low && !pair->pair.round[0] && !pair->pair.round[1])
+        TRY(ask_entry(&pair->begun, context, pair, &pair->pair, less + 2, GRAZE_STATE_I));
+    if (pair->begun)
+        TRY(ask_touching(pair, context));
+    for (int side = 0; side < 2 && pair->begun; side++)
+        TRY(ask_cells(pair, context, side));
+    pair->bounds.high = pair->high;
+    return pair->high ? time_canonicalise(pair->high, context) : GRAZE_OK;
+}
