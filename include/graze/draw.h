@@ -42,6 +42,10 @@ typedef struct graze_draw_options {
     graze_rationals normal;     /**< E^3: three rationals, not all 0: the plane of the cells is
                                      normal . x = *plane, or with plane NULL through the middle of
                                      the box, and plane_axis has no effect; NULL: plane_axis */
+    const char *const *proof;   /**< .html: names of four files: the scene's solid and motion, the
+                                   certificate of the points, in their order, and the page of
+                                   graze-check or NULL. The page has their content, and proves its
+                                   points by it; NULL: it does not */
 } graze_draw_options;
 
 /** The colour 0xRRGGBB of a class in every picture; 0 for GRAZE_CLASS_NONE. Never fails. */
@@ -61,12 +65,14 @@ GRAZE_API unsigned graze_class_colour(graze_class class_);
  * chooses, the surface of the sweep as graze_boundary_create samples it, the points by class, the
  * trajectory of the one that is clicked on, and the sentences of `graze explain` for that point.
  * The page opens with the first point that has an entry in `answers`. `grid`, `plane`, `normal` and
- * `view` have no effect.
+ * `view` have no effect. With `proof` the page given to that of graze-check, or with the latter in
+ * it a button of the page itself, proves its points.
  * @param file    the picture to write: .svg, .html, or .png and .pdf, which need libgraze-png;
  * `-.svg`, and so on, is standard output
  * @param options may be NULL for the defaults
  * @return GRAZE_EUSE an option out of range, a normal's plane outside the box, or another
- * extension; GRAZE_ELIMIT more cells than the limit `grid`, by distance also as in graze_distances;
+ * extension; GRAZE_EINPUT a file of `proof` that is not of this scene, or no page of graze-check;
+ * GRAZE_ELIMIT more cells than the limit `grid`, by distance also as in graze_distances;
  * GRAZE_ESYSTEM the file cannot be written, or no libgraze-png; GRAZE_ECANCELED; GRAZE_EINTERNAL.
  * On failure no file is created or changed, except by an error in writing it
  */

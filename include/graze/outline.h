@@ -68,6 +68,13 @@ GRAZE_API GRAZE_CHECKED graze_status graze_outline_json(char **out, graze_contex
  * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
 GRAZE_API GRAZE_CHECKED graze_status graze_outline_csv(char **out, graze_context *context,
                                                        const graze_outline *outline);
+/** Rational points that show each piece of the outline, as CSV: x, y, arc, lower, side. A piece of
+ * an arc has two rows, `in` and `out`, with the arc's number: the ends of a segment that crosses it
+ * and no other candidate. A lower arc has three, of one such segment, the middle one `on`, with its
+ * number in the JSON's list. @param[out] out text for graze_free
+ * @return GRAZE_EUSE, GRAZE_ECANCELED, GRAZE_ESYSTEM */
+GRAZE_API GRAZE_CHECKED graze_status graze_outline_samples(char **out, graze_context *context,
+                                                           const graze_outline *outline);
 
 /** Forms of a polygon as text: well-known text, GeoJSON, SVG, legacy VTK. */
 typedef enum graze_polygon_format {

@@ -93,6 +93,8 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
     if (wrong)
         return api_misuse(context, "graze_draw", wrong);
     int page = file_has_extension(file, "html");
+    REFUSED(o->proof && !(page && o->proof[0] && o->proof[1] && o->proof[2]),
+            "proof goes with .html, and has three names or four");
     if (page && o->surface > 0)
         TRY(api_takes(context, "graze_draw: surface", scene->solid));
     if (o->by == GRAZE_DRAW_BY_DISTANCE)
@@ -117,6 +119,7 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
         .names = o->names,
         .strata = o->strata,
         .answers = o->answers,
+        .proof = o->proof,
         .surface = o->surface < 0 ? 0
                    : o->surface   ? (unsigned)o->surface
                    : d == 2       ? 8

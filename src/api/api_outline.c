@@ -53,26 +53,20 @@ int graze_outline_area(mpq_t out, const graze_outline *outline) {
     return 1;
 }
 
-graze_status graze_outline_text(char **out, graze_context *context, const graze_outline *outline) {
-    PUBLIC_OUT(out, context, outline);
-    HELD(text, t);
-    outline_text(&t, outline);
-    return text_finish(out, context, &t);
-}
+/* Define a public function that gives an outline as text. */
+#define OUTLINE_AS(form)                                                                           \
+    graze_status graze_outline_##form(char **out, graze_context *context,                          \
+                                      const graze_outline *outline) {                              \
+        PUBLIC_OUT(out, context, outline);                                                         \
+        HELD(text, t);                                                                             \
+        TRY(outline_##form(&t, context, outline));                                                 \
+        return text_finish(out, context, &t);                                                      \
+    }
 
-graze_status graze_outline_json(char **out, graze_context *context, const graze_outline *outline) {
-    PUBLIC_OUT(out, context, outline);
-    HELD(text, t);
-    TRY(outline_json(&t, context, outline));
-    return text_finish(out, context, &t);
-}
-
-graze_status graze_outline_csv(char **out, graze_context *context, const graze_outline *outline) {
-    PUBLIC_OUT(out, context, outline);
-    HELD(text, t);
-    TRY(outline_csv(&t, context, outline));
-    return text_finish(out, context, &t);
-}
+OUTLINE_AS(text)
+OUTLINE_AS(json)
+OUTLINE_AS(csv)
+OUTLINE_AS(samples)
 
 graze_status graze_outline_polygon(char **out, graze_context *context, const graze_outline *outline,
                                    double within, graze_polygon_format format) {

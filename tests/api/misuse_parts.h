@@ -138,6 +138,7 @@ static void row_choices(bench *b) {
 static void pictures(bench *b) {
     graze_context *c = b->s.context;
     const char *file = "/nonexistent/a.svg", *const no_name[] = {NULL};
+    const char *const no_certificate[] = {"a.wkt", "b.json", NULL, NULL};
     const graze_draw_options odd[] = {
         {.size = sizeof *odd, .times = 1},
         {.size = sizeof *odd, .times = 65},
@@ -151,6 +152,7 @@ static void pictures(bench *b) {
         {.size = sizeof *odd, .point_count = 1, .names = no_name},
         {.size = sizeof *odd, .view = {NAN, 0, 0}},
         {.size = sizeof *odd, .view = {0, INFINITY, 0}},
+        {.size = sizeof *odd, .proof = no_certificate},
     };
     HARMLESS(graze_class_colour, !graze_class_colour(GRAZE_CLASS_NONE));
     HARMLESS(graze_class_colour, !graze_class_colour((graze_class)9));
@@ -164,8 +166,10 @@ static void pictures(bench *b) {
     WRONG(graze_draw_cones(c, b->s.scene, file, NULL, b->trace));
     WRONG(graze_draw_cones(c, b->s.scene, file, b->point, NULL));
     WRONG(graze_draw_cones(c, b->s.scene, "/nonexistent/a.html", b->point, b->trace));
-    for (size_t k = 0; k < sizeof odd / sizeof *odd; k++)
+    for (size_t k = 0; k < sizeof odd / sizeof *odd; k++) {
         WRONG(graze_draw(c, b->s.scene, file, &odd[k]));
+        WRONG(graze_draw(c, b->s.scene, "/nonexistent/a.html", &odd[k]));
+    }
 }
 
 static void comparisons(bench *b) {

@@ -23,6 +23,9 @@ static void outlines(bench *b) {
     WRONG(graze_outline_csv(NULL, c, NULL));
     WRONG_OUT(char, graze_outline_csv(&out, NULL, NULL));
     WRONG_OUT(char, graze_outline_csv(&out, c, NULL));
+    WRONG(graze_outline_samples(NULL, c, NULL));
+    WRONG_OUT(char, graze_outline_samples(&out, NULL, NULL));
+    WRONG_OUT(char, graze_outline_samples(&out, c, NULL));
     WRONG(graze_outline_polygon(NULL, c, NULL, 1, GRAZE_POLYGON_WKT));
     WRONG_OUT(char, graze_outline_polygon(&out, NULL, NULL, 1, GRAZE_POLYGON_WKT));
     WRONG_OUT(char, graze_outline_polygon(&out, c, NULL, 1, GRAZE_POLYGON_WKT));

@@ -58,7 +58,7 @@ static int read_points(const char *path, int dimension, shard part, graze_format
     if (!b)
         b = block_create();
     EXPECT(b != NULL);
-    EXPECT(csv_open(&points, path, dimension, part, context) == EXIT_DONE);
+    EXPECT(csv_open(&points, path, NULL, dimension, part, context) == EXIT_DONE);
     if (sites)
         csv_expect_sites(points, sites > 1);
     const graze_row_options rows_of = {.size = sizeof rows_of, .format = format};

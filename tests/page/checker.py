@@ -4,7 +4,7 @@
 Each golden case that has a certificate is verified as graze-check verifies it, with the same words; of every --eighth the tables in which
 a column, a line or the head is changed are refuted. Files that are chosen, packed ones too, are told apart; the page says which row is not
 proved, and shows it; it asks for no address. A page of graze draw is taken for a table, and becomes one that proves its own points, and
-refutes them where it shows another answer. By hand, and in test-long, since it needs emscripten.
+refutes them where it shows another answer; so do pages of graze draw that are given certificate and checker, and one with its certificate is verified alone. By hand, and in test-long, since it needs emscripten.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import gzip
@@ -86,30 +86,56 @@ def chosen(browser, tally, graze, files, folder):
     tally.holds(not browser.faults(), browser.faults())
 
 
-def drawn(graze, files, folder):
+def alone(browser, tally, graze, files, folder):
+    """A page that has its files is verified without them, after one that has not; a file that is given besides takes the place of its own."""
+    root = browser.call("DOM.getDocument")["root"]["nodeId"]
+    button = browser.call("DOM.querySelector", nodeId=root, selector="#choose")["nodeId"]
+
+    def said(given):
+        browser.value("document.getElementById('said').className = document.getElementById('said').textContent = ''")
+        browser.call("DOM.setFileInputFiles", nodeId=button, files=given)
+        until = time.monotonic() + 60
+        while time.monotonic() < until and not browser.value("document.getElementById('said').className"):
+            time.sleep(.1)
+        return browser.value("[document.getElementById('said').className, [...document.querySelectorAll('#files td')].map(e => e.textContent)]")
+    page = drawn(graze, files, folder, "--certificate", files[2])
+    shown = said([page])
+    ending = os.path.splitext(files[0])[1]
+    tally.equal(shown, ["verified", ["solid", "solid" + ending, "motion", "motion", "certificate", "certificate", "table", "scene.html"]], files)
+    other = os.path.join(folder, "other.json")
+    with open(other, "w", encoding="utf-8") as file:
+        file.write(read(files[1]) + " ")
+    shown = said([other])
+    tally.holds(shown[0] in ("refuted", "not-checked") and "other.json" in shown[1], files, shown)
+    tally.holds(not browser.faults(), browser.faults())
+
+
+def drawn(graze, files, folder, *more):
     """A page of graze draw that shows the points of the table."""
     scene = os.path.join(folder, "scene.html")
     unsweep = ["--operation", "unsweep"] if "\noperation unsweep\n" in read(files[2]) else []
-    subprocess.run([graze, "draw", files[0], files[1], files[3], *unsweep, "--surface", "none", "-o", scene], check=True)
+    subprocess.run([graze, "draw", files[0], files[1], files[3], *unsweep, "--surface", "none", "-o", scene, *more], check=True)
     return scene
 
 
-def proving(browser, tally, graze, files, folder):
-    """The page of a scene is a table to the checker, which makes of it a page with a button; an answer that is changed in it is refuted."""
+def proving(browser, tally, graze, checker, files, folder):
+    """The page of a scene is a table to the checker, which makes of it a page with a button, as graze draw does; an answer that is changed in it is refuted."""
     scene, own = drawn(graze, files, folder), os.path.join(folder, "own.html")
     given = [json.dumps(read(path)) for path in files[:3]]
-    texts, ending = f"{{solid: {given[0]}, motion: {given[1]}, certificate: {given[2]}}}", json.dumps(os.path.splitext(files[0])[1])
+    texts = f"{{solid: {given[0]}, motion: {given[1]}, certificate: {given[2]}}}"
     rows = browser.value(f"tableOf(sceneOf({json.dumps(read(scene))}), {given[2]})").splitlines()
     count = int(rows[-1].split()[-1])
     wanted = [line.split(",") for line in read(files[3]).splitlines() if not line.startswith("#")]
     width = len(rows[-2].split(","))
     tally.equal([line.split(",") for line in rows[-2 - count:-1]], [line[:width] for line in wanted], files, "the table of a page")
-    made = browser.value(f"carry({json.dumps(read(scene))}, {texts}, {ending})")
+    made = browser.value(f"carry({json.dumps(read(scene))}, {texts})")
     shown = read(scene).split('"lines":', 1)[1].split("\"")[1]
     at, word, numbers, rest = shown.split("|", 3)
     wrong = "|".join([at, ("I" if word != "I" else "O"), numbers, rest])
-    tally.equal(made.count(json.dumps(shown)), 1, files, shown)
-    for text, want in ((made, ("verified", f"verified: {count} rows")), (made.replace(json.dumps(shown), json.dumps(wrong)), ("refuted", "differs from the certificate in the word"))):
+    own_page = read(drawn(graze, files, folder, "--certificate", files[2], "--checker", checker))
+    tally.equal((made.count(json.dumps(shown)), own_page.count(json.dumps(shown))), (1, 1), files, shown)
+    good, bad = ("verified", f"verified: {count} rows"), ("refuted", "differs from the certificate in the word")
+    for text, want in ((made, good), (own_page, good), *((page.replace(json.dumps(shown), json.dumps(wrong)), bad) for page in (made, own_page))):
         with open(own, "w", encoding="utf-8") as file:
             file.write(text)
         tally.holds(browser.open(own), files, "the page is ready")
@@ -140,7 +166,9 @@ def main():
                     kept = tempfile.mkdtemp(dir=folder)
                     chosen(browser, tally, args.graze, files, kept)
                 if name in PROVING:
-                    proving(browser, tally, args.graze, files, folder)
+                    tally.holds(browser.open(checker), "the page is ready")
+                    alone(browser, tally, args.graze, files, folder)
+                    proving(browser, tally, args.graze, checker, files, folder)
                     tally.holds(browser.open(checker), "the page is ready")
         tally.holds(tally.passed > 500, f"{tally.passed} checks, {REFUTED}")
     finally:

@@ -4,6 +4,7 @@
 
 Words, classes, counts, times and cells of a page are those of `graze classify --format jsonl`; the maps of its
 motion take points to the boundary of the solid at the times of contact; the surface is that of `graze boundary --sharp`.
+A page with a certificate holds the files by which it is proved.
 A page holds the licence of three.js and names no file or address. What the page shows is tested in a browser
 (browser.py).
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -350,6 +351,31 @@ def test_judge(graze, folder):
     check(at[0][0] == 11 and abs(at[1][0] - 10) < F(1, 8) and all(0 <= x <= 2 for p in at for x in p[1:]), "places", data["points"]["lines"])
 
 
+def test_proof(graze, folder):
+    """A page with a certificate has the bytes of the files, a byte that is no text among them; files of another scene are refused."""
+    solid, motion, points = (os.path.join(folder, name) for name in ("s.wkt", "m.json", "p.csv"))
+    proof, checker, page = (os.path.join(folder, name) for name in ("c.txt", "k.html", "proof.html"))
+    for path, content in ((solid, b"POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))\r\n"), (points, b"x,y\n1,1/2\n9,9\n2,1\n"), (checker, b"<title>graze-check</title>\xff\x00<"),
+                          (motion, b'{"dimension": 2, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["t", "0"]}}]}')):
+        with open(path, "wb") as file:
+            file.write(content)
+    run(graze, "certify", solid, motion, points, "-o", proof)
+    drawing = ["draw", solid, motion, points, "--surface", "none", "--certificate", proof, "-o", page]
+    for more in ([], ["--checker", checker]):
+        run(graze, *drawing, *more)
+        held = read_page(page)[1]["proof"]
+        files = {"solid": solid, "motion": motion, "certificate": proof, **({"checker": checker} if more else {})}
+        check({kind: base64.b64decode(text, validate=True) for kind, text in held.items()} == {kind: open(path, "rb").read() for kind, path in files.items()}, more, held)
+    run(graze, *drawing[:6], "-o", page)
+    check("proof" not in read_page(page)[1], "a page without a certificate")
+    run(graze, *drawing, "--operation", "unsweep", status=3)
+    run(graze, *drawing, "--round", "binary64")
+    run(graze, *drawing, "--checker", points, status=3)
+    with open(solid, "ab") as file:
+        file.write(b"\n")
+    run(graze, *drawing, status=3)
+
+
 def main():
     graze = options(__doc__).graze
     with tempfile.TemporaryDirectory() as folder:
@@ -359,6 +385,7 @@ def main():
         test_curved(graze, folder)
         test_compare(graze, folder)
         test_judge(graze, folder)
+        test_proof(graze, folder)
     checks.finish()
 
 

@@ -2,7 +2,9 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import copy
 import math
+import pickle
 import unittest
 import xml.dom.minidom
 from fractions import Fraction
@@ -51,6 +53,49 @@ class Outlines(unittest.TestCase):
         outline = graze.Scene(SQUARE, along("t", "0"), operation="unsweep").outline()
         self.assertEqual((outline.area, outline.components, outline.lower_arcs, outline.rings()), (0, 0, 1, []))
 
+    def test_polygon(self):
+        """The frame's corners are doubles, so its polygon is the outline: [0, 5] x [0, 4] without [2, 3] x [1, 3]."""
+        outline = graze.Scene(FRAME, along("t", "0")).outline()
+        shape = outline.to_geojson(0.5)
+        (shell, hole), = shape["coordinates"]
+        self.assertEqual(shape["type"], "MultiPolygon")
+        self.assertEqual((area(shell[:-1]), area(hole[:-1])), (20, -2))
+        self.assertTrue({(0, 0), (5, 0), (5, 4), (0, 4)} <= {tuple(p) for p in shell} and all(x in (0, 5) or y in (0, 4) for x, y in shell))
+        self.assertTrue({(2, 1), (3, 1), (3, 3), (2, 3)} <= {tuple(p) for p in hole} and all(x in (2, 3) or y in (1, 3) for x, y in hole))
+        for form, begins in (("wkt", "MULTIPOLYGON ((("), ("svg", "<svg "), ("vtk", "# vtk DataFile Version 3.0")):
+            self.assertTrue(outline.polygon(0.5, form).startswith(begins), form)
+        for within, form in ((0, "wkt"), (1, "off"), (math.inf, "wkt")):
+            with self.assertRaises(graze.UseError):
+                outline.polygon(within, form)
+        with self.assertRaises(graze.LimitError):
+            graze.Scene(SQUARE, TURN).outline().polygon(1e-20)
+
+    def test_polygon_of_a_turn(self):
+        """Radii of the far corner's arc are sqrt 2; a chord within 10^-3 of it is no nearer to the centre."""
+        shape = graze.Scene(SQUARE, TURN).outline().to_geojson(1e-3)
+        (shell,), = shape["coordinates"]
+        radii = [math.hypot(x, y) for x, y in shell]
+        self.assertTrue(abs(max(radii) - math.sqrt(2)) <= 1e-3 and abs(area(shell[:-1]) - 1 - math.pi / 2) < 4 * 1e-3 * 6.3)
+
+    def test_samples(self):
+        """Both sides of each piece, and of the seam x = 3, 1 < y < 3, points beside and on it; their pmc is decided anew."""
+        scene = graze.Scene(FRAME, along("2*t", "0"))
+        samples = scene.outline().samples()
+        found = list(graze.pmc_names(scene.classify([s.point for s in samples])))
+        self.assertEqual(found, [s.side for s in samples])
+        seam = [s for s in samples if s.lower is not None]
+        self.assertEqual([s.side for s in seam], ["in", "on", "in"] * (len(seam) // 3))
+        self.assertTrue(seam and all(s.point[0] == 3 and 1 < s.point[1] < 3 for s in seam if s.side == "on"))
+        self.assertEqual({s.arc for s in samples} - {None}, set(range(len(scene.outline().record["arcs"]))))
+
+    def test_copies(self):
+        """A copy keeps the numbers, and says why it has no polygon."""
+        outline = graze.Scene(SQUARE, TURN).outline()
+        for again in (copy.deepcopy(outline), pickle.loads(pickle.dumps(outline))):
+            self.assertEqual((again, again.rings()), (outline, outline.rings()))
+            with self.assertRaisesRegex(graze.UseError, "copied or pickled"):
+                again.polygon(0.1)
+
     def test_refusals(self):
         with self.assertRaises(graze.UseError):
             graze.Scene(SQUARE, TURN).outline(width=1)
@@ -62,3 +107,5 @@ class Outlines(unittest.TestCase):
             self.skipTest("shapely is not installed")
         shape = graze.Scene(FRAME, along("t", "0")).outline().to_shapely()
         self.assertEqual((shape.area, shape.is_valid), (18, True))
+        exact = graze.Scene(FRAME, along("t", "0")).outline().to_shapely(within=0.5)
+        self.assertEqual((exact.geom_type, exact.area, exact.is_valid), ("MultiPolygon", 18, True))

@@ -54,6 +54,7 @@ ROWS = [
     Row("validate S.wkt M.json -n 3 --candidate", SCENE, {"--output": "o", "--keep": "o"}, others=["--shrink"]),
     Row("validate S.wkt M.json --candidate", SCENE, {"--output": "o", "--keep": "o"}, reads=["--points"]),
     Row("draw S.wkt M.json P.csv --grid 4", SCENE + ["P.csv"], {"--output": "o.svg", "-o": "o.svg"}),
+    Row("draw S.wkt M.json P.csv --surface none", SCENE + ["P.csv"], {"--output": "o.html", "-o": "o.html"}, reads=["--certificate", "--checker"]),
     Row("boundary S.wkt M.json --depth 2", SCENE, {"--surface": "o.vtk", "--cells": "o.vtk", "--points": "o.vtk", "--output": "o"}),
     Row("convert S.wkt", ["S.wkt"], {"--output": "o.wkt", "-o": "o.wkt"}),
     Row("convert M.json", ["M.json"], {"--output": "o.json", "-o": "o.json"}),
@@ -65,7 +66,8 @@ ROWS = [
     Row("collide S.wkt M.json S.wkt", SCENE, {"--output": "o", "-o": "o"}, reads=["--motion-of-fixed"], ends=1),
     Row("collide", [], {"--output": "o", "-o": "o", "--resume": "o"}, reads=["--list", "--motion-of-fixed"], ends=1),
     Row("outline S.wkt M.json --within 1", SCENE, {"--polygon": "o.wkt"}),
-    Row("outline S.wkt M.json", SCENE, {"--arcs": "o", "--output": "o", "-o": "o"}),
+    Row("outline S.wkt M.json", SCENE, {"--arcs": "o", "--samples": "o", "--output": "o", "-o": "o"}),
+    Row("outline S.wkt M.json --samples s", SCENE, {"--certify": "o"}),
     Row("judge B.off B.json B.off --within 1 --count 1", ["B.off", "B.json"], {"--vertices": "o.csv", "--answers": "o.csv", "--page": "o.html", "--output": "o"},
         reads=["--points"]),
     Row("motion poses Q.csv", ["Q.csv"], {"--output": "o", "--report": "o"}),
@@ -99,9 +101,9 @@ class Bench:
         for name, old in (("S.wkt", "square.wkt"), ("M.json", "move2.json"), ("S.off", "cube.off"), ("B.off", "cube.off"),
                           ("B.json", "move3.json")):
             shutil.copy(COMMON / old, self.inputs / name)
-        for name, text in (("P.csv", CSV), ("B.csv", "1,1,1\n"), ("C.csv", SITES), ("L.csv", LIST), ("G.nc", "G0 X0 Y0 Z0\nG1 X1\n"), ("Q.csv", "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,1,0,0,1,0,0,0\n")):
+        for name, text in (("P.csv", CSV), ("B.csv", "1,1,1\n"), ("C.csv", SITES), ("L.csv", LIST), ("G.nc", "G0 X0 Y0 Z0\nG1 X1\n"), ("K.html", "<title>graze-check</title>\n"), ("Q.csv", "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,1,0,0,1,0,0,0\n")):
             (self.inputs / name).write_text(text)
-        for words in ("check S.wkt M.json --receipt R", "classify S.wkt M.json P.csv -o T.csv", "classify S.wkt M.json P.csv -o T2.csv",
+        for words in ("check S.wkt M.json --receipt R", "certify S.wkt M.json P.csv -o C.txt", "classify S.wkt M.json P.csv -o T.csv", "classify S.wkt M.json P.csv -o T2.csv",
                       "classify S.wkt M.json P.csv --shard 1/2 -o 1.csv", "classify S.wkt M.json P.csv --shard 2/2 -o 2.csv"):
             done = self.run(self.inputs, words.split())
             checks.equal(done.returncode, 0, words, done.stderr)
@@ -145,7 +147,7 @@ def changed(before, after):
 def given(bench, row):
     """Words of a run of that row."""
     values = {"--receipt": "R", "--solid": "S.wkt", "--motion": "M.json", "--points": "B.csv" if "B.off" in row.read else "P.csv", "--motion-of-fixed": "M.json",
-              "--list": "L.csv"}
+              "--list": "L.csv", "--certificate": "C.txt", "--checker": "K.html"}
     words = list(row.words) + [bench.candidate] * (row.words[-1] == "--candidate")
     return words + [word for option in row.reads for word in (option, values[option])]
 
@@ -301,7 +303,7 @@ def check_dash(bench, row):
         bench.checks.equal(done.returncode, row.ends, row.command, option, done.stderr)
         there, report = (at / ("whole" + value[1:])).read_bytes(), done.stdout
         spelt = [["-"], ["-" + value[1:]]]
-        if row.command == "boundary" and option != "--output":  # its surface is PLY, its points are CSV, unless said otherwise
+        if row.command == "boundary" and option != "--output" or row.command == "draw":  # a surface is PLY, points are CSV, a picture SVG, unless said otherwise
             spelt[0] += ["--format", value[2:]]
         for words in spelt:
             name = words[0]

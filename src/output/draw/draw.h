@@ -215,6 +215,7 @@ typedef struct draw_request {
     const char *const *answers; /* as strata: a candidate's answers where they are wrong */
     unsigned surface;           /* level of the sweep's surface; 0: none */
     const draw_mesh *mesh;      /* shown in place of the surface; NULL: none */
+    const char *const *proof;   /* as in graze_draw_options */
 } draw_request;
 
 /* The picture of a scene: classes on a grid of cells, positions of the solid, trajectories. */

@@ -5,7 +5,9 @@
 
 #include <flint/fmpq_vec.h>
 #include <string.h>
+#include "base/context/file.h"
 #include "base/context/scope.h"
+#include "questions/certify/certify.h"
 
 /* Put the names and colours of all tones, in the order of their numbers. */
 static void put_tones(json_writer *w) {
@@ -58,6 +60,37 @@ static graze_status put_any_solid(json_writer *w, graze_context *context,
     return status;
 }
 
+/* Put each byte of the files by which graze-check proves the points, and of its page. */
+static graze_status put_proof(json_writer *w, graze_context *context, const graze_scene *scene,
+                              const char *const *path) {
+    static const char *const kinds[] = {"solid", "motion", "certificate", "checker"};
+    const unsigned char *own[] = {scene->solid->input.sha256, scene->motion->sha256};
+    const certifier c = {.scene = scene};
+    HELD(text, head);
+    TRY(certify_head(&head, context, &c));
+    const char *signs = head.failed ? NULL : strstr(head.data, "signs ");
+    json_open(w, "proof", '{');
+    for (int k = 0; k < 4 && path[k] && signs; k++) {
+        FREED(char, content, NULL);
+        unsigned char hash[32];
+        size_t length;
+        encoder e;
+        TRY(file_read(&content, &length, hash, context, path[k]));
+        if (k < 2    ? memcmp(hash, own[k], sizeof hash) != 0
+            : k == 2 ? strncmp(content, head.data, (size_t)(signs - head.data)) != 0
+                     : !strstr(content, "<title>graze-check</title>"))
+            return context_fail_in(context, GRAZE_EINPUT, path[k], 0, "is no %s of this scene",
+                                   kinds[k]);
+        encode_begin(&e, w, kinds[k]);
+        for (size_t i = 0; i < length; i++)
+            encode_byte(&e, (unsigned char)content[i]);
+        encode_end(&e);
+    }
+    json_close(w, '}');
+    w->out->failed |= head.failed;
+    return GRAZE_OK;
+}
+
 static graze_status put_scene(json_writer *w, graze_context *context, const graze_scene *scene,
                               const draw_request *request) {
     int unsweep = scene->options.operation == GRAZE_UNSWEEP;
@@ -88,6 +121,8 @@ static graze_status put_scene(json_writer *w, graze_context *context, const graz
     TRY(page_cells(w, context, scene, request));
     json_line(w, 0);
     TRY(page_rows(w, context, scene, request, centre));
+    if (request->proof)
+        TRY(put_proof(w, context, scene, request->proof));
     json_close(w, '}');
     return GRAZE_OK;
 }

@@ -1,9 +1,10 @@
-/* Polygons of an outline as well-known text, GeoJSON, SVG and legacy VTK.
+/* Polygons of an outline as well-known text, GeoJSON, SVG and legacy VTK; points beside its pieces.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/report/report.h"
 
 #include <math.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 
 /* Words of a form: before and behind all, a polygon, a ring and a point, and between neighbours and
  * coordinates. */
@@ -113,4 +114,33 @@ void outline_polygon_text(text *t, const outline_polygon *p, graze_polygon_forma
         return;
     text_format(t, "LINES %zu %zu\n", rings, points + rings);
     text_owned(t, text_take(&lines));
+}
+
+/* Append the ends of a piece's crossing segment, and of a lower piece its middle, a point of the
+ * curve: lower pieces on irrational lines are not decided. `first` and `last`: pmc of the ends. */
+static void put_crossing(text *t, const outline_piece *p, size_t number, const char *first,
+                         const char *last) {
+    LOCAL_VEC(fmpq, middle, 2);
+    const fmpq *const at[] = {p->sample, middle, p->sample + 2};
+    const char *const side[] = {first, "on", last};
+    vector_middle(middle, at[0], at[2], 2);
+    for (int k = 0; k < 3; k += p->lower ? 1 : 2) {
+        text_rational(t, at[k]);
+        text_put(t, ",");
+        text_rational(t, at[k] + 1);
+        text_format(t, p->lower ? ",,%zu,%s\n" : ",%zu,,%s\n", number, side[k]);
+    }
+}
+
+graze_status outline_samples(text *t, graze_context *context, const graze_outline *o) {
+    const char *around = o->scene->options.operation == GRAZE_SWEEP ? "in" : "out";
+    size_t lower = 0;
+    text_put(t, "x,y,arc,lower,side\n");
+    for (size_t k = 0; k < o->arc_count; k++)
+        for (size_t i = 0; i < o->arc[k].count; i++)
+            put_crossing(t, &o->piece[o->arc_piece[o->arc[k].first + i]], k, "in", "out");
+    for (size_t k = 0; k < o->piece_count; k++)
+        if (o->piece[k].lower == 1)
+            put_crossing(t, &o->piece[k], lower++, around, around);
+    return context_poll(context);
 }

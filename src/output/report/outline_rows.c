@@ -281,7 +281,7 @@ static void put_text_measure(text *t, const graze_outline *o, const char *name,
     text_put(t, "\n");
 }
 
-void outline_text(text *t, const graze_outline *o) {
+graze_status outline_text(text *t, graze_context *context, const graze_outline *o) {
     int is_sweep = o->scene->options.operation == GRAZE_SWEEP;
     size_t lower = outline_lower_count(o);
     text_format(t, "components: %zu, of the interior %zu\n", o->components, o->interior_components);
@@ -293,8 +293,9 @@ void outline_text(text *t, const graze_outline *o) {
     text_format(t, "%s: %zu arcs, %zu points", is_sweep ? "seams" : "dangling", lower,
                 o->spot_count);
     if (o->undecided)
-        text_format(t, ", %zu undecided", o->undecided);
+        text_format(t, "; not decided at %zu places with irrational coordinates", o->undecided);
     text_put(t, "\n");
+    return context_poll(context);
 }
 
 static graze_status put_arc_row(outline_writer *j, size_t number, const size_t *ring_of) {

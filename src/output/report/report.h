@@ -139,11 +139,13 @@ const char *pair_verdict_word(const graze_pair *pair);
  * written. */
 
 /** Append the numbers of an outline, a line each. */
-void outline_text(text *out, const graze_outline *o);
+graze_status outline_text(text *out, graze_context *context, const graze_outline *o);
 /** Append an outline as an object. */
 graze_status outline_json(text *out, graze_context *context, const graze_outline *o);
 /** Append the table of an outline's arcs. */
 graze_status outline_csv(text *out, graze_context *context, const graze_outline *o);
+/** Append points of an outline's crossing segments, as graze_outline_samples has them. */
+graze_status outline_samples(text *out, graze_context *context, const graze_outline *o);
 /** Append the polygons of an outline. */
 void outline_polygon_text(text *out, const outline_polygon *p, graze_polygon_format format);
 

@@ -14,7 +14,7 @@ typedef struct draw_given {
     scene_options scene;
     const char *points; /* a file, or NULL */
     graze_draw_by by;
-    const char *output, *format, *grid, *times, *box, *plane, *view, *title;
+    const char *output, *format, *grid, *times, *box, *plane, *view, *title, *certificate, *checker;
     int surface;
 } draw_given;
 
@@ -141,6 +141,8 @@ static int draw_scene(const loaded *l, const draw_given *o, const operands *give
         TRY(marks_read(&m, o->points, l->context));
     TRY(marks_take_points(&m, given->repeated, given->repeated_count, l->context));
     marks_give(&what, &m);
+    const char *const proof[] = {o->scene.solid, o->scene.motion, o->certificate, o->checker};
+    what.proof = o->certificate ? proof : NULL;
     if (o->surface > 0 || o->by == GRAZE_DRAW_BY_DISTANCE)
         TRY(load_takes(l->solid, o->scene.solid,
                        o->surface > 0 ? "draw --surface" : "draw --by distance", TAKES_STRAIGHT));
@@ -159,6 +161,8 @@ static const option_entry draw_table[] = {
     OPTION("view", draw_given, view, value_text),
     OPTION("title", draw_given, title, value_title),
     OPTION("surface", draw_given, surface, value_surface),
+    FILE_READ("certificate", draw_given, certificate),
+    FILE_READ("checker", draw_given, checker),
     OPTION("operation", draw_given, scene.scene.operation, value_operation),
     OPTION("folds", draw_given, scene.scene.folds, value_folds),
     SCENE_OPTIONS(draw_given, scene),
@@ -172,6 +176,8 @@ static int run_draw(void *options, const operands *given) {
                         "draw needs -o FILE, a name in .svg, .png, .pdf or .html; see graze draw "
                         "--help");
     o->output = output_name(o->output, o->format ? o->format : "-.svg");
+    if (o->certificate ? !path_has_extension(o->output, ".html") : o->checker != NULL)
+        return complain(EXIT_USAGE, "--certificate goes with -o FILE.html, --checker with both");
     if (o->format && o->output != o->format)
         return complain(EXIT_USAGE, "--format goes with -o -; the name of another file ends in its "
                                     "format");

@@ -98,7 +98,7 @@ static int read_marks_block(marks *m, csv *points, const block *b, graze_context
 int marks_read(marks *m, const char *path, graze_context *context) {
     csv *points = NULL;
     block *b = block_create();
-    int status = b ? csv_open(&points, path, m->dimension, (shard){0, 1}, context)
+    int status = b ? csv_open(&points, path, NULL, m->dimension, (shard){0, 1}, context)
                    : complain(EXIT_IO, "out of memory");
     for (int more = 1; more && !status;) {
         block_reset(b, 0);

@@ -9,8 +9,8 @@ HELP(outline);
 typedef struct outline_given {
     scene_options scene;
     graze_outline_options options;
-    graze_comparison_format format; /* as in graze compare */
-    const char *arcs, *polygon;     /* files; NULL: none */
+    graze_comparison_format format;                     /* as in graze compare */
+    const char *arcs, *polygon, *samples, *certificate; /* files; NULL: none */
     double within;
 } outline_given;
 
@@ -21,14 +21,10 @@ static const option_entry outline_table[] = {
     FILE_WRITTEN("arcs", outline_given, arcs),
     FILE_WRITTEN("polygon", outline_given, polygon),
     OPTION("within", outline_given, within, value_motion_error),
+    FILE_WRITTEN("samples", outline_given, samples),
+    FILE_WRITTEN("certify", outline_given, certificate),
     SCENE_OPTIONS(outline_given, scene),
     OPTIONS_END};
-
-static int write_arcs(const char *path, graze_context *context, const graze_outline *outline) {
-    FREED(char, table, NULL);
-    TRY(complain_of(graze_outline_csv(&table, context, outline), context));
-    return output_text(path, table);
-}
 
 /* The endings of files of polygons, in the order of graze_polygon_format. */
 static const char *const polygon_endings[] = {".wkt", ".geojson", ".svg", ".vtk"};
@@ -70,11 +66,46 @@ static int check_kind(const graze_solid *solid, const char *path) {
                     curved ? ", draw shows others" : ", boundary samples others");
 }
 
+/* Answer all but the table of samples; *points becomes its points, if it is wanted. */
+static int answer_outline(char **report, char **points, const outline_given *o, const loaded *l) {
+    OWNED(graze_outline, outline);
+    FREED(char, arcs, NULL);
+    TRY(complain_of(graze_outline_create(&outline, l->context, l->scene, &o->options), l->context));
+    if (o->arcs) {
+        TRY(complain_of(graze_outline_csv(&arcs, l->context, outline), l->context));
+        TRY(output_text(o->arcs, arcs));
+    }
+    if (o->polygon)
+        TRY(write_outline_polygon(o, l->context, outline));
+    if (o->samples)
+        TRY(complain_of(graze_outline_samples(points, l->context, outline), l->context));
+    return complain_of((o->format == GRAZE_COMPARISON_JSON
+                            ? graze_outline_json
+                            : graze_outline_text)(report, l->context, outline),
+                       l->context);
+}
+
+/* Write the table of samples, and its certificate, as graze classify does. */
+static int classify_samples(const outline_given *o, loaded *l, const char *points) {
+    const classify_options run = {.scene = o->scene,
+                                  .known = l,
+                                  .points = "the outline",
+                                  .in_memory = points,
+                                  .shard.part = {0, 1},
+                                  .output = o->samples,
+                                  .certificate = o->certificate,
+                                  .quiet = 1,
+                                  .transient = 1};
+    return classify_run(&run);
+}
+
 static int run_outline(void *options, const operands *given) {
     outline_given *o = options;
     ZEROED(loaded, l);
-    OWNED(graze_outline, outline);
-    FREED(char, written, NULL);
+    FREED(char, points, NULL);
+    FREED(char, report, NULL);
+    if (o->certificate && !o->samples)
+        return complain(EXIT_USAGE, "--certify goes with --samples; see graze outline --help");
     if (o->options.width != 0 && !(o->options.width >= 1e-300 && o->options.width <= 0.1))
         return complain(EXIT_USAGE, "--width %g: expected a number from 1e-300 to 0.1",
                         o->options.width);
@@ -83,16 +114,10 @@ static int run_outline(void *options, const operands *given) {
     TRY(loaded_read(&l, &o->scene, EXIT_INPUT, NULL));
     TRY(check_kind(l.solid, o->scene.solid));
     o->options.size = sizeof o->options;
-    TRY(complain_of(graze_outline_create(&outline, l.context, l.scene, &o->options), l.context));
-    if (o->arcs)
-        TRY(write_arcs(o->arcs, l.context, outline));
-    if (o->polygon)
-        TRY(write_outline_polygon(o, l.context, outline));
-    TRY(complain_of(o->format == GRAZE_COMPARISON_JSON
-                        ? graze_outline_json(&written, l.context, outline)
-                        : graze_outline_text(&written, l.context, outline),
-                    l.context));
-    return output_text(NULL, written);
+    TRY(answer_outline(&report, &points, o, &l));
+    if (o->samples)
+        TRY(classify_samples(o, &l, points));
+    return output_text(NULL, report);
 }
 
 COMMAND(outline, outline_given, .takes = "SOLID and MOTION", .least = 2, .reads = 2);

@@ -310,7 +310,7 @@ void progress_end(progress *p, unsigned long rows, portion reached);
 
 /* The seconds a command has worked, on standard error where it is a terminal.
  *
- * For commands whose work has no rows to count. One thread uses these functions. */
+ * For commands whose work has no rows to count. One thread starts and clears; any may show. */
 
 /** From now on waiting_show shows the time since then; until then it does nothing. */
 void waiting_start(void);

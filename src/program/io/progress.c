@@ -52,8 +52,8 @@ void progress_end(progress *p, unsigned long rows, portion reached) {
         show_progress(p, rows, reached, "\n");
 }
 
-static double begun = -1; /* start of the wait; below 0: none, or no terminal */
-static long shown;        /* seconds in the line; 0: there is no line */
+static double begun = -1;  /* start of the wait; below 0: none, or no terminal */
+static _Atomic long shown; /* seconds in the line; 0: there is no line */
 
 void waiting_start(void) {
     if (isatty(STDERR_FILENO))

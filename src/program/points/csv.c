@@ -7,17 +7,21 @@
 #include "program/points/heads.h"
 
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 #include "base/context/scope.h"
 #include "output/report/columns.h"
 
-int csv_open(csv **out, const char *path, int dimension, shard part, graze_context *context) {
+int csv_open(csv **out, const char *path, const char *in_memory, int dimension, shard part,
+             graze_context *context) {
     struct stat about;
     csv *c = calloc(1, sizeof *c);
     *out = c;
     if (!c)
         return complain(EXIT_IO, "out of memory");
-    int status = complain_of(stream_open(&c->in, context, path), context);
+    int status = in_memory ? EXIT_DONE : complain_of(stream_open(&c->in, context, path), context);
+    if (in_memory)
+        stream_of_text(&c->in, context, path, in_memory, strlen(in_memory));
     c->columns = (columns){.name = c->in.name, .dimension = dimension, .numbers = dimension};
     c->part = part;
     if (!status && fstat(c->in.fd, &about) == 0 && S_ISREG(about.st_mode) && about.st_size > 0)

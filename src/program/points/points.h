@@ -303,9 +303,11 @@ typedef struct csv {
     npy *array;
 } csv;
 
-/** Open a file, or standard input for `-`, for the rows of a shard. The context is
- * borrowed. On failure says why. */
-int csv_open(csv **out, const char *path, int dimension, shard part, graze_context *context);
+/** Open a file, or standard input for `-`, for the rows of a shard; or, unless it is
+ * NULL, read a text in memory, which is borrowed and which `path` names. The context is borrowed.
+ * On failure says why. */
+int csv_open(csv **out, const char *path, const char *in_memory, int dimension, shard part,
+             graze_context *context);
 void csv_close(csv *c);
 /** Expect contact points as rows; with `snap` they have cells, to be moved to contacts. To be
  * called before the first line is read. */

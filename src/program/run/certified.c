@@ -203,11 +203,11 @@ static int convert_scene(loaded *l, const classify_options *o, const lacks *lack
 
 static int refuse_standard_output(const loaded *l, const classify_options *o) {
     if (has_read_ending(o->scene.solid))
-        return complain(EXIT_INPUT, "%s; with --output FILE the solid is converted to FILE.off",
+        return complain(EXIT_INPUT, "%s; a certificate in FILE has it as FILE.off",
                         graze_context_message(l->context));
     return complain(EXIT_INPUT,
                     "%s: graze-check does not read it; expected .off or .wkt, which graze convert "
-                    "makes of it; with --output FILE it is converted to FILE.off",
+                    "makes of it; a certificate in FILE has it as FILE.off or FILE.wkt",
                     o->scene.solid);
 }
 
@@ -228,8 +228,8 @@ int certified_load(loaded *l, const classify_options *o, int writes) {
         return refuse_standard_output(l, o);
     if (lack.motion)
         complain(EXIT_DONE,
-                 "note: %s: graze-check reads plain pieces alone; with --output FILE the motion is "
-                 "converted to FILE.json",
+                 "note: %s: graze-check reads plain pieces alone; a certificate in FILE has "
+                 "the motion as FILE.json",
                  o->scene.motion);
     return EXIT_DONE;
 }

@@ -141,7 +141,12 @@ static int load_scene(run_state *s, const classify_options *o) {
     int certified = o->no_table || o->certificate;
     s->l.rows = o->scene.rows; /* pairs have no scene */
     int status = o->pairs.wanted ? context_make(&s->l.context, &o->scene.context)
+                 : o->known      ? EXIT_DONE
                                  : receipt_load(&s->l, o->receipt, &o->scene);
+    if (o->known) {
+        s->l = *o->known;
+        *o->known = (loaded){.context = NULL};
+    }
     if (!status && o->sites.wanted)
         status = load_takes(s->l.solid, o->scene.solid, "contact", TAKES_STRAIGHT);
     results_init(&s->out, o, &s->l);
@@ -151,8 +156,8 @@ static int load_scene(run_state *s, const classify_options *o) {
 static int prepare_run(run_state *s, const classify_options *o) {
     TRY(load_scene(s, o));
     TRY(o->grid.sizes ? grid_open(&s->grid, &o->grid, s->l.context, s->l.scene)
-                      : csv_open(&s->points, o->points, graze_scene_dimension(s->l.scene),
-                                 o->shard.part, s->l.context));
+                      : csv_open(&s->points, o->points, o->in_memory,
+                                 graze_scene_dimension(s->l.scene), o->shard.part, s->l.context));
     if (o->sites.wanted)
         csv_expect_sites(s->points, o->sites.snap);
     if (o->pairs.wanted)

@@ -322,7 +322,7 @@ int results_end(results *out, unsigned long rows_of_all, unsigned long long chec
 /* Report how many whole rows an interrupted run leaves in a file. */
 static void report_whole_rows(const results *out, int kind) {
     const result *file = &out->file[kind];
-    int can_go_on = has_notes(out, kind);
+    int can_go_on = has_notes(out, kind) && !out->o->transient;
     if (file->opened && !is_exported(out, kind))
         complain(EXIT_SIGNAL, "%s: has %lu whole rows%s%s", file->out.name, file->rows,
                  can_go_on ? "; the same command with --resume FILE continues a " : "",

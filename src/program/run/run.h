@@ -13,8 +13,10 @@
 /** The options; strings are borrowed. */
 typedef struct classify_options {
     scene_options scene;
-    const char *receipt; /* file with the receipt of the scene, or NULL */
-    const char *points;  /* file of points, or `-`; ignored with a grid */
+    const char *receipt;   /* file with the receipt of the scene, or NULL */
+    loaded *known;         /* the scene, already read, which the run takes over; NULL: it is read */
+    const char *points;    /* file of points, or `-`; ignored with a grid */
+    const char *in_memory; /* their text, which `points` names in messages; NULL: it is read */
     grid_options grid;
     struct shard_choice {
         int given;  /* the table is marked as that of a shard */
@@ -39,7 +41,7 @@ typedef struct classify_options {
     int times;               /* the certificate gives the times and cells of contacts */
     int threads;             /* 0: one for each core */
     int quiet;               /* no progress */
-    int transient;           /* 1: the files are temporary, so no record for a later run is kept */
+    int transient;           /* 1: no record for a later run is kept, as of temporary files */
 } classify_options;
 
 /* One run of graze classify or graze certify: points of a file or a grid into a table, a

@@ -28,7 +28,7 @@ from .errors import (CanceledError, GrazeError, IllegalError, InputError, Intern
                      LibraryError, LimitError, MachineError, UseError)
 from .inputs import Motion, Solid
 from .judgements import Greatest, Judgement
-from .outlines import Outline, Ring
+from .outlines import Outline, OutlineSample, Ring
 from .patches import CurvePart, Patch, PatchJoint
 from .pictures import Page, Picture, class_colours
 from .results import (CLASS_NAMES, ENCLOSURE_DTYPE, PMC_NAMES, VERDICT_DTYPE, Cell, Class, Contact,
@@ -43,7 +43,7 @@ __all__ = [
     "Comparison",
     "Contact", "CurvePart", "ENCLOSURE_DTYPE", "Enclosure", "Envelope", "Event", "FirstContact", "GrazeError", "Greatest", "IllegalError",
     "InputError", "InternalError",
-    "Joint", "Judgement", "LibraryError", "LimitError", "MachineError", "Motion", "Outline", "PMC_NAMES", "Page", "Patch",
+    "Joint", "Judgement", "LibraryError", "LimitError", "MachineError", "Motion", "Outline", "OutlineSample", "PMC_NAMES", "Page", "Patch",
     "PairContact", "PatchJoint", "Picture",
     "Pmc", "Ring", "Sample", "Scene", "Site", "SiteFacet", "Solid", "Time", "Topology", "Trace",
     "UseError", "VERDICT_DTYPE", "Verdict", "__version__", "class_colours", "class_names", "collide", "columns",

@@ -1,17 +1,26 @@
 """The exact boundary of a planar sweep or unsweep (graze/outline.h).
 
+One thread uses an outline at a time.
+
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
+import csv
 import ctypes
 import importlib
 import json
+from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Optional, Tuple
 
 from ._abi import C
+from ._context import choice
 from ._library import Handle, library, take_text
+from .errors import UseError
+
+if TYPE_CHECKING:
+    from .scene import Scene
 
 
 class Ring(NamedTuple):
@@ -28,7 +37,24 @@ class Ring(NamedTuple):
     within: Optional[int]
 
 
-class Outline(NamedTuple):
+class OutlineSample(NamedTuple):
+    """A point that shows a side of a piece of an outline, as a row of `graze outline --samples`.
+
+    Attributes:
+        point: its coordinates.
+        arc: the place of its arc in `record["arcs"]`; None beside a lower arc.
+        lower: the place of its lower arc in `record["lower"]["arcs"]`, else None.
+        side: `in` or `out`; `on` for a point of a lower arc.
+    """
+
+    point: Tuple[Fraction, Fraction]
+    arc: Optional[int]
+    lower: Optional[int]
+    side: str
+
+
+@dataclass(frozen=True)
+class Outline:
     """The boundary of a planar sweep or of the closure of an unsweep's interior; a notebook shows it.
 
     Attributes:
@@ -51,15 +77,52 @@ class Outline(NamedTuple):
     lower_points: int
     undecided: int
     record: Dict[str, Any]
+    _scene: Optional[Scene] = field(repr=False, compare=False)
+    _handle: Optional[Handle] = field(repr=False, compare=False)
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {**self.__dict__, "_scene": None, "_handle": None}
+
+    def _text(self, function: Callable[..., int], *more: Any) -> str:
+        """The text that a function of the library makes of the outline."""
+        if not self._scene or not self._handle:
+            raise UseError("an outline that was copied or pickled has its numbers alone; expected the one of Scene.outline")
+        context, text = self._scene._context(), ctypes.c_void_p()
+        context.run(function, ctypes.byref(text), context.pointer, self._handle.pointer, *more)
+        return take_text(text)
+
+    def polygon(self, within: float, form: str = "wkt") -> str:
+        """Valid polygons of doubles, as `graze outline --polygon` writes them: `wkt`, `geojson`, `svg` or `vtk`. Each point of
+        the outline is within `within` of their edges, and each point of an edge of the outline.
+
+        Raises:
+            UseError: the form, or a distance that is not above 0; LimitError: doubles are too far apart for such polygons.
+        """
+        number = choice("form", form, "graze_polygon_format")
+        return self._text(library().graze_outline_polygon, within, number)
+
+    def to_geojson(self, within: float) -> Dict[str, Any]:
+        """These polygons as a geometry of GeoJSON: a dict of `type` and `coordinates`. Raises as `polygon`."""
+        shape: Dict[str, Any] = json.loads(self.polygon(within, "geojson"))
+        return shape
+
+    def samples(self) -> List[OutlineSample]:
+        """Rational points on both sides of each piece of the boundary, and on and beside each lower arc. Raises MachineError."""
+        rows = csv.DictReader(self._text(library().graze_outline_samples).splitlines())
+        return [OutlineSample((Fraction(row["x"]), Fraction(row["y"])), int(row["arc"]) if row["arc"] else None,
+                              int(row["lower"]) if row["lower"] else None, row["side"]) for row in rows]
 
     def rings(self, points: int = 32) -> List[Ring]:
         """All rings, with `points` points on each curved arc."""
         arcs = [_along(arc, self.record["vertices"], points) for arc in self.record["arcs"]]
         return [Ring([p for k in ring["arcs"] for p in arcs[k]], ring["hole"], ring["within"]) for ring in self.record["rings"]]
 
-    def to_shapely(self, points: int = 32) -> Any:
-        """A MultiPolygon of shapely, which must be installed, of these rings: one polygon for each component of the interior."""
+    def to_shapely(self, points: int = 32, within: Optional[float] = None) -> Any:
+        """A MultiPolygon of shapely, which must be installed: one polygon for each component of the interior. With `within` those
+        of `polygon`, near the outline by proof; else of `rings`, without."""
         geometry = importlib.import_module("shapely.geometry")
+        if within is not None:
+            return geometry.shape(self.to_geojson(within))
         rings = self.rings(points)
         return geometry.MultiPolygon([geometry.Polygon(r.points, [h.points for h in rings if h.within == k]) for k, r in enumerate(rings) if not r.hole])
 
@@ -98,16 +161,16 @@ def _along(arc: Dict[str, Any], vertices: List[Dict[str, Any]], points: int) -> 
     return [(float(start[0]), float(start[1])), *inner]
 
 
-def read_outline(context: Any, scene: Handle, width: float) -> Outline:
-    """The outline of a scene."""
-    call, pointer, text = library(), ctypes.c_void_p(), ctypes.c_void_p()
+def read_outline(scene: Scene, width: float) -> Outline:
+    """The outline of a scene, which keeps its handle."""
+    call, context, pointer, text = library(), scene._context(), ctypes.c_void_p(), ctypes.c_void_p()
     options = C.graze_outline_options(size=ctypes.sizeof(C.graze_outline_options), width=width)
-    context.run(call.graze_outline_create, ctypes.byref(pointer), context.pointer, scene.pointer, ctypes.byref(options))
-    with Handle(pointer, call.graze_outline_destroy) as outline:
-        facts = call.graze_outline_get(outline)
-        context.run(call.graze_outline_json, ctypes.byref(text), context.pointer, outline)
+    context.run(call.graze_outline_create, ctypes.byref(pointer), context.pointer, scene._handle.pointer, ctypes.byref(options))
+    handle = Handle(pointer, call.graze_outline_destroy, scene._handle)
+    facts = call.graze_outline_get(pointer)
+    context.run(call.graze_outline_json, ctypes.byref(text), context.pointer, pointer)
     record = json.loads(take_text(text))
     exact = record["area"].get("exact")
     return Outline(facts.components, facts.interior_components, facts.holes, facts.euler, Fraction(exact) if exact else None,
                    (facts.area_low, facts.area_high), (facts.length_low, facts.length_high), facts.lower_arcs, facts.lower_points,
-                   facts.undecided, record)
+                   facts.undecided, record, scene, handle)

@@ -347,7 +347,7 @@ class Scene:
         Raises:
             UseError: the width; InputError: a curved solid; IllegalError: a polyhedron; LimitError, InternalError.
         """
-        return read_outline(self._context(), self._handle, width)
+        return read_outline(self, width)
 
     def rows(self, points: Any, format: str = "csv", jobs: Optional[int] = 1,
              progress: Progress = False) -> List[str]:
