@@ -94,7 +94,7 @@ static graze_status narrow_distance(graze_closest *c, approach *a, double size, 
             distance = nextafter(distance, (double)INFINITY);
             if (distance < c->high)
                 TRY(ask_distance(&reached, a, distance));
-            if (!(distance < c->high) || !keep_reached(a))
+            if (!keep_reached(a))
                 break;
         }
         *(reached ? &c->high : &c->low) = distance;
@@ -155,7 +155,7 @@ static void set_near_places(graze_closest *c, placing *p, const approach *a,
 /* Find two faces that are at most `high` apart at the time of `high`, and their places. */
 static graze_status find_near_places(graze_closest *c, approach *a, const graze_motion *frame) {
     node_pair roots = {0, 0};
-    const node_list all = {1, 1, &roots, 0};
+    const node_list all = {.count = 1, .item = &roots};
     unsigned zero[2];
     ZEROED(node_list, leaves);
     ZEROED(near_list, near);
