@@ -52,7 +52,7 @@ ROOMS = {
                            "envelope/saucer", "envelope/cusps", "envelope/patches", "envelope/singular", "envelope/curve",
                            "envelope/laws", "envelope/derivation"],
     "questions/outline": ["outline/hand", "outline/scenes", "outline/method", "outline/laws"],
-    "questions/collide": ["unit/test_apart", "unit/test_near_pairs", "api/test_pair", "collide/hand", "collide/round", "collide/convex", "collide/polycubes",
+    "questions/collide": ["unit/test_near_pairs", "collide/hand", "collide/round", "unit/test_apart", "api/test_pair", "collide/convex", "collide/polycubes",
                           "collide/laws", "collide/clearance", "collide/closest", "collide/features", "collide/distances"],
     "questions/generate": ["generate/generate", "generate/levels", "refuse/run generate"],
     "questions/certify": ["unit/test_control", "check/golden", "api/test_certificate", "check/contacts", "shards/certificates"],

@@ -258,6 +258,51 @@ static void maps_by_weight(void **state) {
     control_maps_clear(&maps);
 }
 
+/* The bounds of a clearance of 2 times the root of over / under on [0, 1], or on its left half. */
+static void check_clearance(const char *over, const char *under, int left, double least,
+                            double most) {
+    clearance near;
+    fmpq_t distance;
+    dyadic_interval interval, half;
+    control_maps maps = {0};
+    const solid_pair pair = {0};
+    fmpq_init(distance);
+    fmpq_set_si(distance, 2, 1);
+    clearance_init(&near, distance);
+    fmpz_poly_set_str(&near.ratio[0].square[0], over);
+    fmpz_poly_set_str(&near.ratio[0].square[1], under);
+    const placing p = {.pair = &pair, .near = &near};
+    dyadic_interval_init(&interval);
+    dyadic_interval_init(&half);
+    dyadic_interval_set_si(&interval, 0, 1);
+    if (left)
+        dyadic_interval_halves(&interval, &half, &interval);
+    clearance_enclose(&maps, &p, &interval);
+    assert_true(maps.least <= least && maps.least >= least * (1 - STEP));
+    assert_true(maps.most >= most && (isinf(most) || maps.most <= most * (1 + STEP)));
+    dyadic_interval_clear(&interval);
+    dyadic_interval_clear(&half);
+    clearance_clear(&near);
+    fmpq_clear(distance);
+}
+
+/* Quotients of Bernstein coefficients, where those of the denominator are positive. */
+static void bounds_of_clearance(void **state) {
+    (void)state;
+    check_clearance("1  1", "1  1", 0, 2, 2);
+    /* (1 + t)^2: 1, 2, 4; on [0, 1/2] 1, 3/2, 9/4 */
+    check_clearance("3  1 2 1", "1  1", 0, 2, 4);
+    check_clearance("3  1 2 1", "1  1", 1, 2, 3);
+    /* 4 - 3 t: 4, 1 over 1 + 3 t: 1, 4 */
+    check_clearance("2  4 -3", "2  1 3", 0, 1, 4);
+    /* 1 - 3 t + 3 t^2: 1, -1/2, 1 */
+    check_clearance("1  1", "3  1 -3 3", 0, 0, INFINITY);
+    check_clearance("3  1 -3 3", "1  1", 0, 0, INFINITY);
+    /* 1 - 2 t + t^2: 1, 0, 0; t is 0 at 0 */
+    check_clearance("1  1", "3  1 -2 1", 0, 0, INFINITY);
+    check_clearance("2  0 1", "1  1", 0, 0, 2);
+}
+
 /* The interval of [from, to] / 2^exponent about whose middle a vertex is deep. */
 static void find_deep(deep_interval *out, scene *s, slong from, slong to, ulong exponent) {
     node_pair roots = {0, 0};
@@ -391,6 +436,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(waiting_for_shorter, set_up, tear_down),
         cmocka_unit_test_setup_teardown(maps_of_a_translation, set_up, tear_down),
         cmocka_unit_test_setup_teardown(maps_by_weight, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(bounds_of_clearance, set_up, tear_down),
         cmocka_unit_test_setup_teardown(deep_vertices, set_up, tear_down),
         cmocka_unit_test_setup_teardown(passes, set_up, tear_down),
     };

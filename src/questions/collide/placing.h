@@ -142,7 +142,7 @@ typedef enum corner_kind { CORNER_MOVING = 0, CORNER_FIXED = 1, CORNER_EDGES = 2
 typedef struct common_corner {
     corner_kind kind;
     unsigned zero[2];
-    int at[2]; /* the corner or (CORNER_EDGES) side of each simplex that it is on; -1: none */
+    int at[2]; /* the side of each simplex, or the corner of that whose vertex it is */
 } common_corner;
 
 enum { MOST_CORNERS = 15 };
