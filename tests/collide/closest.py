@@ -25,15 +25,15 @@ PAIRS = {2: 12, 3: 12}
 SCENES = []
 
 
-def scene(name, moving, motion, fixed, square, radii=0, time=None, frame=None, meets=False):
-    """m is the root of `square` less `radii`; `time`: where it is reached, if at one time alone."""
-    SCENES.append((name, moving, motion, fixed, F(square), F(radii), time, frame, meets))
+def scene(name, moving, motion, fixed, square, radii=0, time=None, frame=None, meets=False, x=None):
+    """m is the root of `square` less `radii`; `time`: where it is reached, if at one time alone; `x`: the first coordinates of the two places then."""
+    SCENES.append((name, moving, motion, fixed, F(square), F(radii), time, frame, meets, x))
 
 
 # ------------------------------------------------------------------------------------- polyhedra
 
 # S = [t, t + 1] x [0, 1]^2 against Q = [3, 4] x [0, 1]^2: 2 - t
-scene("a face comes near", CUBE, along_x(0, 1), WALL, 1, time=1)
+scene("a face comes near", CUBE, along_x(0, 1), WALL, 1, time=1, x=(2, 3))
 scene("moving apart", CUBE, moved(0, 1, [F(3, 2), -1], [0], [0]), WALL, F(1, 4), time=0)
 # the tips (t, 2) and (0, 1): 1 at t = 0
 scene("tip past tip", DIAMOND, moved(-1, 2, [0, 1], [3]), DIAMOND, 1, time=0)
@@ -52,10 +52,16 @@ scene("corner to corner", CUBE, moved(0, 4, [0, 1], [0, -1], [0]), block(3, 3, 3
 # [-1, 1]^3 times 1 + t against x = 3: 2 - t until t = 3/2
 scene("a growing cube", block(-1, -1, -1, 1, 1, 1), build([(0, F(3, 2), scaling([[1, 1]] * 3))]), block(3, 0, 0, 4, 1, 1), F(1, 4), time=F(3, 2))
 # one moves by t, the other by -t: 5 - 2 t
-scene("both move", CUBE, along_x(0, 2), block(6, 0, 0, 7, 1, 1), 1, time=2, frame=moved(0, 2, [0, -1], [0], [0]))
+scene("both move", CUBE, along_x(0, 2), block(6, 0, 0, 7, 1, 1), 1, time=2, frame=moved(0, 2, [0, -1], [0], [0]), x=(3, 4))
+# [t, t + 1] and [6 - q, 7 - q], q = t until t = 1, then 2 t - 1: 6 - 3 t at t = 3/2
+scene("both move, one in two pieces", CUBE, along_x(0, F(3, 2)), block(6, 0, 0, 7, 1, 1), F(9, 4), time=F(3, 2), x=(F(5, 2), 4),
+      frame=build([(0, 1, translate([[0, -1], [0], [0]])), (1, 2, translate([[1, -2], [0], [0]]))]))
 # Q = [-1, 1]^3 times 1 + t: 3 - (1 + t), in the world
 scene("a frame that grows", block(3, 0, 0, 4, 1, 1), moved(0, 1, [0], [0], [0]), block(-1, -1, -1, 1, 1, 1), 1, time=1,
-      frame=build([(0, 1, scaling([[1, 1]] * 3))]))
+      frame=build([(0, 1, scaling([[1, 1]] * 3))]), x=(3, 2))
+# Q of radius 1 times 1 + t: 3 - (1 + t)
+scene("a ball in a frame that grows", block(3, -9, -9, 4, 9, 9), moved(0, 1, [0], [0], [0]), ball(1, 0, 0, 0), 9, 2, time=1,
+      frame=build([(0, 1, scaling([[1, 1]] * 3))]), x=(3, 2))
 # far and near parts: 1 from the post at x <= 0 at t = 1, 1/2 from that at 5 at t = 7/2
 scene("two posts", CUBE, along_x(1, F(7, 2)), joined(block(-1, 0, 0, 0, 1, 1), block(5, 0, 0, 6, 1, 1)), F(1, 4), time=F(7, 2))
 # a gap of 2^-40
@@ -79,7 +85,8 @@ scene("a ball past a ball", ball(1, 0, 0, 0), PASS, ball(H, 0, 0, 0), 9, F(3, 2)
 scene("capsules cross", capsule(H, (0, -3, 0), (0, 3, 0)), moved(0, F(1, 2), [0], [0], [-2, 1]), capsule(F(1, 4), (-3, 0, 0), (3, 0, 0)), F(9, 4), F(3, 4),
       time=F(1, 2))
 # its centre is 1 + t, its radius (1 + t)/2: 3 - 3 (1 + t)/2 at t = 1/2; the radii are those at the time
-scene("a ball grows", ball(H, 1, 0, 0), build([(0, H, scaling([[1, 1]] * 3))]), block(3, -9, -9, 4, 9, 9), F(9, 4), F(3, 4), time=H)
+scene("a ball grows", ball(H, 1, 0, 0), build([(0, H, scaling([[1, 1]] * 3))]), block(3, -9, -9, 4, 9, 9), F(9, 4), F(3, 4), time=H,
+      x=(F(9, 4), 3))
 # [-1/2, 1/2]^2 x [-1, 0] is 2 from the thin one's centre, 3 from the thick one's: 15/8 and 1
 UNION = Round(([(F(0), F(0), F(2))], F(1, 8)), ([(F(0), F(0), F(-4))], F(2)))
 scene("the pair with the least d - rho", CUBE, moved(0, 1, [F(-1, 2)], [F(-1, 2)], [-1]), UNION, 9, 2)
@@ -112,7 +119,10 @@ def check_nested(checks, name, all_of):
 
 
 def check_width(checks, name, closest, tolerance):
-    checks.equal((closest["high"] - closest["low"] > F(tolerance), closest["wide"]), (False, False), name, "width", tolerance, closest)
+    """At most the tolerance, and, as each question halves it, not below its half but for the place that is left for rounding."""
+    width, spare = closest["high"] - closest["low"], F(closest["high"]) / 2 ** 49
+    checks.equal((width > F(tolerance), closest["wide"]), (False, False), name, "width", tolerance, closest)
+    checks.holds(width >= F(tolerance) / 2 - spare, name, "questions", tolerance, closest)
 
 
 def check_places(checks, name, closest):
@@ -122,7 +132,7 @@ def check_places(checks, name, closest):
     checks.holds(to_double(closest["low"]) - slack <= apart <= to_double(closest["high"]) + slack, name, "places", closest)
 
 
-def check_scene(collide, checks, name, moving, motion, fixed, square, radii, time, frame, meets):
+def check_scene(collide, checks, name, moving, motion, fixed, square, radii, time, frame, meets, x):
     found = []
     for tolerance in TOLERANCES:
         record = ask(collide, name, moving, motion, fixed, tolerance, frame)
@@ -145,6 +155,8 @@ def check_scene(collide, checks, name, moving, motion, fixed, square, radii, tim
         check_places(checks, name, c)
         if time is not None and tolerance == "1e-12":
             checks.holds(abs(near - to_double(F(time))) < 1e-4, name, "time", near)
+        if x is not None and tolerance == "1e-12":
+            checks.holds(all(abs(to_double(F(p[0]) - q)) < 1e-4 for p, q in zip(c["at"], x)), name, "places", c["at"])
     check_nested(checks, name, found)
 
 
@@ -174,6 +186,11 @@ def forms(collide, checks):
     """Relative to both sizes, 1 + 1; beside a clearance, whose word it does not change; the text."""
     c = ask(collide, "relative", CUBE, along_x(0, 1), WALL, "1e-3r")["closest"]
     checks.equal(c, ask(collide, "absolute", CUBE, along_x(0, 1), WALL, "2e-3")["closest"], "relative")
+    # 1 and 2; 2^-4 less a unit in its last place, which a width of 2^-4 is above
+    far = ball(1, 9, 9, 9)
+    c = ask(collide, "relative", CUBE, along_x(0, 1), far, "1e-3r")["closest"]
+    checks.equal(c, ask(collide, "absolute", CUBE, along_x(0, 1), far, "3e-3")["closest"], "relative to a ball")
+    check_width(checks, "no spare", ask(collide, "spare", CUBE, along_x(0, 1), WALL, "0.06249999999999978")["closest"], "0.06249999999999978")
     record = ask(collide, "beside", CUBE, along_x(0, 1), WALL, "1e-3", flags=("--clearance", "1"))
     checks.equal((record["closest"], record["word"]), (ask(collide, "alone", CUBE, along_x(0, 1), WALL, "1e-3")["closest"], "OB"), "clearance")
     words = [collide.file("text" + tag, thing, end) for tag, thing, end in (("a", CUBE, ".off"), ("m", along_x(0, 1), ".json"), ("b", WALL, ".off"))]

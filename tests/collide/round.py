@@ -112,6 +112,9 @@ scene("a ball grows away", ball(H, 1, 0, 0), build([(0, 2, scaling([[1, 1]] * 3)
 # its centre is t - 1
 scene("a mirrored ball", ball(H, 1, 0, 0), build([(0, 4, compose(scaling([[-1], [1], [1]]), translate([[0, 1], [0], [0]])))]), BIG_WALL, H, "OBI",
       (F(7, 2), F(7, 2)))
+# its radius is (1 - t/2)/2, its centre 4 - 2 t from the wall x <= 0: 4 - 2 t = 2 + 1/2 - t/4
+scene("a ball shrinks, and a clearance", ball(H, 4, 0, 0), build([(0, 1, scaling([[1, F(-1, 2)]] * 3))]), block(-1, -9, -9, 0, 9, 9), None, "OBI",
+      (F(6, 7), F(6, 7)), clearance=2)
 # a fixed ball of radius 1 grows by 1 + t: 3 - (1 + t) = 1/2
 scene("a frame that grows a ball", BIG_WALL, moved(0, 2, [0], [0], [0]), B, None, "OBI", (F(3, 2), F(3, 2)), clearance=H,
       frame=build([(0, 2, scaling([[1, 1]] * 3))]))
@@ -128,6 +131,9 @@ scene("a disk grows irrationally", ball(H, 0, 0), SPIN, plane(box_ring(1, -9, 2,
 PASS = moved(-6, 6, [0, 1], [3], [0])
 scene("a ball past a ball", ball(2, 0, 0, 0), PASS, ball(3, 0, 0, 0), 5, "OBIBO", *[(t, t, {"vertex-vertex": 1}) for t in (-4, 4)])
 scene("a ball grazes a ball", B, PASS, ball(2, 0, 0, 0), 3, "OBO", (0, 0, {"vertex-vertex": 1}))
+# 3, 4, 5: boxes around centres are as far as these, and products of doubles are rounded
+scene("large balls that touch", ball(25 * 10 ** 12, 0, 0, 0), moved(0, 1, [0], [0], [0]), ball(25 * 10 ** 12, 3 * 10 ** 13, 4 * 10 ** 13, 0), 5 * 10 ** 13, "B",
+      (0, 1, {"vertex-vertex": 1}))
 scene("a ball in a ball", B, moved(0, 1, [0, 1], [0], [0]), ball(9, 0, 0, 0), 10, "I")
 # axes along y at height t - 2 and along x at 0; along z at x = t and 3, [0, 4] and [1, 9] having [1, 4] in common; in one line
 scene("capsules cross", capsule(H, (0, -3, 0), (0, 3, 0)), moved(0, 2, [0], [0], [-2, 1]), capsule(H, (-3, 0, 0), (3, 0, 0)), 1, "OBI",

@@ -1,5 +1,6 @@
 /* Corners and nodes that meet at a time are never said to be apart, and those that a small gap
- * parts are (proofs/collision.md C108). SPDX-License-Identifier: GPL-3.0-or-later
+ * parts are; corners are said to be nearer than a clearance if two of their points are
+ * (proofs/collision.md C108). SPDX-License-Identifier: GPL-3.0-or-later
  *
  * All coordinates are small multiples of 1/8, so that places are doubles exactly. The motion is
  * halfway between two maps at some time.
@@ -28,7 +29,7 @@ static void set_scene(int d) {
 }
 
 static int are_apart(corner_run a, corner_run b) {
-    return corners_apart(&pair, &maps, a, b, error_of_places(&pair, &maps));
+    return corners_nearness(&pair, &maps, a, b, error_of_places(&pair, &maps)) == NEAR_NEVER;
 }
 
 /* Eighths of the corners of a run: the last one's are 1, 2, 4 or 8. */
@@ -138,6 +139,58 @@ static void gaps(void **state) {
     part(segment, floor, 2, 1, 0x1p-25, edge, edge);
     part(floor, segment, 2, 1, -0x1p-25, edge, edge);
     part(segment, floor, 2, 1, 0x1p-25, tip, edge);
+}
+
+static nearness nearness_at(double clearance, corner_run a, corner_run b) {
+    maps.least = maps.most = clearance;
+    nearness found = corners_nearness(&pair, &maps, a, b, error_of_places(&pair, &maps));
+    maps.least = maps.most = 0;
+    return found;
+}
+
+/* A tip is at height 1 over an edge, and moved by `way` along it under the second of two maps,
+ * which is the middle one; or the edge is moved. Places that are 1 apart under that map are the
+ * root of way^2 + 1 apart under the first. */
+static void over_edge(double way, double clearance, nearness expected) {
+    static const corner_run tip = {0, 0, 1}, edge = {0, 0, 2};
+    for (int d = 2; d <= 3; d++)
+        for (int side = 0; side < 2; side++) {
+            double one[9] = {0}, other[9] = {0};
+            one[1] = 1;
+            other[0] = -100;
+            other[d] = 100;
+            set_triangles(side ? other : one, side ? one : other, d, 0);
+            entry[d * (d + 1) + d] = way;
+            assert_int_equal(nearness_at(clearance, side ? edge : tip, side ? tip : edge),
+                             expected);
+        }
+}
+
+/* Nearer always if the clearance is above that root, soon if it is above 2 and a 16th of the root,
+ * never if it is below 1. */
+static void nearness_by_hand(void **state) {
+    (void)state;
+    const double step = 0x1p-20, far = sqrt(10), further = sqrt(1601);
+    over_edge(0, 1 - step, NEAR_NEVER);
+    over_edge(0, 1, NEAR_UNKNOWN);
+    over_edge(0, 1 + step, NEAR_ALWAYS);
+    over_edge(3, 1 - step, NEAR_NEVER);
+    over_edge(3, 1 + step, NEAR_UNKNOWN);
+    over_edge(3, 2 - step, NEAR_UNKNOWN);
+    over_edge(3, 2 + step, NEAR_SOON);
+    over_edge(3, far - step, NEAR_SOON);
+    over_edge(3, far + step, NEAR_ALWAYS);
+    over_edge(40, further / 16 - step, NEAR_UNKNOWN);
+    over_edge(40, further / 16 + step, NEAR_SOON);
+    over_edge(-40, further - step, NEAR_SOON);
+    over_edge(-40, further + step, NEAR_ALWAYS);
+    /* (1, -1) and the line x = y: the root of 2, while 2 is the sum of the ways along both axes */
+    static const double point[9] = {1, -1}, slope[9] = {-100, -100, 100, 100};
+    static const corner_run tip = {0, 0, 1}, edge = {0, 0, 2};
+    set_triangles(point, slope, 2, 0);
+    entry[8] = 0;
+    assert_int_equal(nearness_at(sqrt(2) - step, tip, edge), NEAR_NEVER);
+    assert_int_equal(nearness_at(sqrt(2) + step, tip, edge), NEAR_ALWAYS);
 }
 
 /* Places past the range in which something is known. */
@@ -296,6 +349,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_in_common),
         cmocka_unit_test(gaps),
+        cmocka_unit_test(nearness_by_hand),
         cmocka_unit_test(far_off),
         cmocka_unit_test(slabs_by_hand),
         cmocka_unit_test_setup_teardown(slabs_of_nodes, set_up, tear_down),

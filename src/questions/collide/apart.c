@@ -7,6 +7,10 @@
 #define MOST_BOUND 0x1p950
 #define MOST_SLOPE 0x1p200
 
+/* Places that are nearer under the middle map, and this many clearances away under the others, soon
+ * are nearer under all: each halving of the interval halves their ways. */
+#define SOON_WITHIN 16
+
 static double size1(const double *n) {
     return fabs(n[0]) + fabs(n[1]) + fabs(n[2]);
 }
@@ -24,7 +28,7 @@ static void take_place(extent *e, double x) {
 /* A bound of the clearance along n, in units of n. */
 static double clearance_along(const double n[3], double most) {
     double length = dot3(n, n);
-    return most == 0 ? 0 : most * (length > 0x1p-900 ? sqrt(length) : size1(n)) * (1 + 0x1p-40);
+    return most == 0 ? 0 : most * (length > 0x1p-900 ? sqrt(length) : size1(n));
 }
 
 /* Are two extents disjoint by more than their errors and the clearance? */
@@ -72,7 +76,7 @@ double error_of_places(const solid_pair *pair, const control_maps *maps) {
     double far = maps->shift + maps->slope * a->reach + b->reach;
     if (!a->at || !b->at || !maps->count || maps->slope > MOST_SLOPE || !(far < INFINITY))
         return INFINITY;
-    return 0x1p-42 * far + b->error + 2 * maps->slope * a->error + 0x1p-640;
+    return 0x1p-42 * far + 0x1p-530; /* corners err by far less */
 }
 
 static extent group_extent(const point_group *g, const double n[3]) {
@@ -140,57 +144,91 @@ static int divides_in_space(double normal[3], const divider *d, double a[][3], i
     return 0;
 }
 
-/* Give the way from x to the nearest point of the segment from a to b. */
-static void way_to_segment(double out[3], const double *x, const double *a, const double *b) {
-    double along[3], off[3];
-    for (int i = 0; i < 3; i++) {
-        along[i] = b[i] - a[i];
-        off[i] = x[i] - a[i];
-    }
-    double length = dot3(along, along), share = dot3(off, along);
-    share = share <= 0 ? 0 : share >= length ? 1 : share / length;
+/* Two points that are nearly nearest under the middle map: corner `at` of one group, of those that
+ * stand if `side` is 1, and that share of the way from corner `along` of the other to its next. */
+typedef struct near_places {
+    int side, at, along;
+    double share, way[3];
+} near_places;
+
+/* A corner of a group under a map; a group that stands has one map. */
+static const double *place_of_corner(const point_group *g, size_t map, int corner) {
+    return g->at + 3 * (map % g->maps * (size_t)g->count + (size_t)(corner % g->count));
+}
+
+/* Give the way from one of two places to the other under a map. */
+static void way_between(double out[3], const divider *d, const near_places *n, size_t map) {
+    const point_group *own = n->side ? d->standing : d->moved;
+    const point_group *other = n->side ? d->moved : d->standing;
+    const double *x = place_of_corner(own, map, n->at);
+    const double *a = place_of_corner(other, map, n->along);
+    const double *b = place_of_corner(other, map, n->along + 1);
     for (int i = 0; i < 3; i++)
-        out[i] = share * along[i] - off[i];
+        out[i] = a[i] - x[i] + n->share * (b[i] - a[i]);
 }
 
-/* Try the shortest way from a point of one group to a point, or a segment between points, of the
- * other, under the middle map. */
-static int divides_nearest(const divider *d) {
-    const point_group *g[2] = {d->moved, d->standing};
-    double best[3] = {0, 0, 0}, least = INFINITY, way[3];
-    for (int side = 0; side < 2; side++) {
-        const point_group *own = g[side], *other = g[!side];
-        const double *x = own->at + own->maps / 2 * (size_t)(3 * own->count);
-        const double *y = other->at + other->maps / 2 * (size_t)(3 * other->count);
-        for (int i = 0; i < own->count; i++)
-            for (int j = 0; j < other->count; j++) {
-                way_to_segment(way, x + 3 * i, y + 3 * j, y + 3 * ((j + 1) % other->count));
-                if (dot3(way, way) < least) {
-                    least = dot3(way, way);
-                    for (int k = 0; k < 3; k++)
-                        best[k] = way[k];
-                }
+/* Set the share at which a segment is nearest to the other place under a map, and the way there. */
+static void go_nearest(near_places *n, const divider *d, size_t map) {
+    double off[3], end[3], along[3];
+    n->share = 0;
+    way_between(off, d, n, map);
+    n->share = 1;
+    way_between(end, d, n, map);
+    for (int i = 0; i < 3; i++)
+        along[i] = end[i] - off[i];
+    double length = dot3(along, along), part = -dot3(off, along);
+    n->share = part <= 0 ? 0 : part >= length ? 1 : part / length;
+    way_between(n->way, d, n, map);
+}
+
+/* Find the shortest way from a corner of one group to a corner, or a segment between corners, of
+ * the other. */
+static near_places find_nearest(const divider *d) {
+    near_places best = {.way = {INFINITY}}, n = {0};
+    for (n.side = 0; n.side < 2; n.side++)
+        for (n.at = 0; n.at < (n.side ? d->standing : d->moved)->count; n.at++)
+            for (n.along = 0; n.along < (n.side ? d->moved : d->standing)->count; n.along++) {
+                go_nearest(&n, d, d->moved->maps / 2);
+                if (dot3(n.way, n.way) < dot3(best.way, best.way))
+                    best = n;
             }
-    }
-    return divides(d, best);
+    return best;
 }
 
-int corners_apart(const solid_pair *pair, const control_maps *maps, corner_run moving,
-                  corner_run fixed, double error) {
+/* Are two places nearer than the clearance under all maps? If not, are they under the middle one,
+ * so that they will be in a few halves of the interval? */
+static nearness nearness_of(const divider *d, const near_places *n, double least) {
+    double bound = 2 * d->error, middle = sqrt(dot3(n->way, n->way)), way[3];
+    int within = 1, soon = middle + bound < least / 2;
+    for (size_t map = 0; map < d->moved->maps; map++) {
+        way_between(way, d, n, map);
+        double length = sqrt(dot3(way, way)) + bound;
+        within &= length < least;
+        soon &= length < SOON_WITHIN * least;
+    }
+    return within ? NEAR_ALWAYS : soon ? NEAR_SOON : NEAR_UNKNOWN;
+}
+
+nearness corners_nearness(const solid_pair *pair, const control_maps *maps, corner_run moving,
+                          corner_run fixed, double error) {
     double room[9], a[3][3], b[3][3], normal[3] = {0, 0, 1};
     if (!(error < INFINITY))
-        return 0;
+        return NEAR_UNKNOWN;
     point_group moved = move(maps, &pair->moving->corners, moving);
     point_group standing = stand(room, &pair->fixed->corners, fixed, maps->dimension);
     divider d = {&moved, &standing, error, maps->most};
     int edges_a = edges_of(a, &moved), edges_b = edges_of(b, &standing);
-    if (maps->most > 0 && divides_nearest(&d))
-        return 1;
-    if (edges_a + edges_b < maps->dimension - 1)
-        return 0;
-    if (maps->dimension == 3 && divides_in_space(normal, &d, a, edges_a, b, edges_b))
-        return 1;
-    return divides_in_plane(&d, normal, a, edges_a) || divides_in_plane(&d, normal, b, edges_b);
+    nearness found = NEAR_UNKNOWN;
+    if (maps->most > 0) {
+        near_places n = find_nearest(&d);
+        found = divides(&d, n.way) ? NEAR_NEVER : nearness_of(&d, &n, maps->least);
+    }
+    if (found || edges_a + edges_b < maps->dimension - 1)
+        return found;
+    if ((maps->dimension == 3 && divides_in_space(normal, &d, a, edges_a, b, edges_b)) ||
+        divides_in_plane(&d, normal, a, edges_a) || divides_in_plane(&d, normal, b, edges_b))
+        return NEAR_NEVER;
+    return NEAR_UNKNOWN;
 }
 
 /* A node's box, which has no height in E^2, and the node's slab. */

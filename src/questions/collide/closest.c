@@ -84,7 +84,7 @@ static graze_status narrow_distance(graze_closest *c, approach *a, double size, 
             distance = nextafter(distance, (double)INFINITY);
             if (distance < c->high)
                 TRY(ask_distance(&reached, a, distance));
-            if (!(distance < c->high) || !keep_reached(a))
+            if (!keep_reached(a))
                 break;
         }
         *(reached ? &c->high : &c->low) = distance;

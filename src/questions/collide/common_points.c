@@ -61,7 +61,6 @@ static void add_vertex_corners(finder *f, pair_side side) {
                            corner_vertex(f, side, k))) {
             c.zero[side] = sides_of_corner(d, k);
             c.at[side] = k;
-            c.at[other] = -1;
             note_corner(f, c);
         }
     }

@@ -12,7 +12,7 @@
 enum { MOST_TRIED = 16, MOST_TRACED = 4 };
 
 /* Set [low, high] to the times between a vertex's last contact with the other boundary before a
- * time, or 0, and its first contact after it, or 1. */
+ * time, or -1, and its first contact after it, or 2, past the piece's ends. */
 static graze_status time_free(fmpq_t low, fmpq_t high, placing *p, pair_side side, uint32_t vertex,
                               algebraic *time) {
     const graze_solid *other = placing_solid(p, (pair_side)!side);
@@ -21,8 +21,8 @@ static graze_status time_free(fmpq_t low, fmpq_t high, placing *p, pair_side sid
     LOCAL_VEC(fmpq, from, 2);
     fmpq *to = from + 1;
     HELD(touches, found);
-    fmpq_zero(low);
-    fmpq_one(high);
+    fmpq_set_si(low, -1, 1);
+    fmpq_set_si(high, 2, 1);
     TRY(p->status);
     TRY(candidates_find(&list, p->context, other, c));
     TRY(touches_find(&found, p->context, other, c, NULL, &list));
@@ -60,6 +60,8 @@ static graze_status time_before_root(fmpq_t u, placing *p, pair_side side, uint3
     LOCAL(fmpq, high);
     HELD(algebraic, low);
     TRY(time_free(low.value, high, p, side, vertex, p->when));
+    if (fmpq_sgn(low.value) < 0)
+        fmpq_zero(low.value);
     return algebraic_between(u, p->context, &low, p->when);
 }
 

@@ -365,7 +365,7 @@ static int edges_meet(placing *p, const feature_pair *edges) {
             plane[side][k ? second : first] =
                 placing_plane_sign(p, (pair_side)!side, run[!side].simplex,
                                    run_vertex(p, (pair_side)side, run[side], k));
-        if (side == SIDE_MOVING && plane[side][first] * plane[side][second] > 0)
+        if (plane[side][first] * plane[side][second] > 0)
             return 0;
     }
     return edges_cross(p, (near_pair){run[0].simplex, run[1].simplex}, run[0].first, run[1].first,
@@ -399,8 +399,7 @@ graze_state features_look(placing *p, const near_list *near) {
         for (size_t i = 0; i < list.count && least >= 0 && !p->status; i++) {
             int sign = features_sign(zero, p, &list.item[i]);
             least = sign < least ? sign : least;
-            if (i % 64 == 63 && !p->status)
-                p->status = context_poll(p->context);
+            placing_poll(p, i);
         }
     }
     return least < 0 ? GRAZE_STATE_I : least ? GRAZE_STATE_O : GRAZE_STATE_B;

@@ -25,8 +25,8 @@ static void find_times(algebraic_list *roots, finder *f, const fmpz_poly_t q) {
 /* Note the times at which two features are at the clearance, unless they always are; of a vertex
  * that is always in a simplex's plane, the times at which it may change its cell in that plane. */
 static void meet_features(finder *f, const feature_pair *features) {
-    if (corners_apart(f->p->pair, f->maps, features->of[SIDE_MOVING], features->of[SIDE_FIXED],
-                      f->error))
+    if (corners_nearness(f->p->pair, f->maps, features->of[SIDE_MOVING], features->of[SIDE_FIXED],
+                         f->error) == NEAR_NEVER)
         return;
     HELD(stationary, s, f->p, features);
     HELD(algebraic_list, roots);

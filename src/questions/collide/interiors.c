@@ -63,8 +63,7 @@ static void gather_points(looker *l, const near_list *near) {
         }
         for (int c = 0; c < found.count; c++)
             add_meeting_point(l, near->item[k], &found.item[c]);
-        if (k % 64 == 63 && !l->p->status)
-            l->p->status = context_poll(l->p->context);
+        placing_poll(l->p, k);
     }
     if (l->count)
         qsort(l->item, l->count, sizeof *l->item, compare_meetings);

@@ -85,9 +85,9 @@ static void take_root(double *least, double *most, const fmpz_t num, const fmpz_
     fmpq_set_fmpz_frac(value, num, den);
     rational_bounds(&low, &high, value);
     if (least)
-        *least = fmin(*least, sqrt(fmax(low, 0)) * (1 - 0x1p-50));
+        *least = fmin(*least, sqrt(low));
     if (most)
-        *most = fmax(*most, sqrt(high) * (1 + 0x1p-50));
+        *most = fmax(*most, sqrt(high));
 }
 
 /* Lower `least`, or raise `most`, by a square's Bernstein coefficients on an interval. */

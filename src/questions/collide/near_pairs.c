@@ -78,14 +78,14 @@ static int boxes_within(const refiner *r, const box *a, const box *b) {
     return sqrt(dot3(far, far)) * (1 + 0x1p-48) < r->maps->least;
 }
 
-static int pair_apart(const refiner *r, uint32_t moving, uint32_t fixed) {
+static nearness pair_nearness(const refiner *r, uint32_t moving, uint32_t fixed) {
     const tree_node *a = &r->pair->moving->boxes.node[moving];
     const tree_node *b = &r->pair->fixed->boxes.node[fixed];
     int d = r->maps->dimension;
     if (a->child || b->child)
-        return slabs_apart(r->pair, r->maps, moving, fixed, r->error);
-    return corners_apart(r->pair, r->maps, (corner_run){a->simplex, 0, d},
-                         (corner_run){b->simplex, 0, d}, r->error);
+        return slabs_apart(r->pair, r->maps, moving, fixed, r->error) ? NEAR_NEVER : NEAR_UNKNOWN;
+    return corners_nearness(r->pair, r->maps, (corner_run){a->simplex, 0, d},
+                            (corner_run){b->simplex, 0, d}, r->error);
 }
 
 static void refine_pair(refiner *r, const moved_node *moved, uint32_t fixed) {
@@ -93,11 +93,11 @@ static void refine_pair(refiner *r, const moved_node *moved, uint32_t fixed) {
     const tree_node *b = &r->pair->fixed->boxes.node[fixed];
     if (r->status || r->near->within || boxes_far(r, &moved->box, &b->box))
         return;
-    if (boxes_within(r, &moved->box, &b->box)) {
-        r->near->within = 1;
-        return;
-    }
-    if (pair_apart(r, moved->node, fixed))
+    nearness found =
+        boxes_within(r, &moved->box, &b->box) ? NEAR_ALWAYS : pair_nearness(r, moved->node, fixed);
+    r->near->within |= found == NEAR_ALWAYS;
+    r->near->soon |= found == NEAR_SOON;
+    if (found == NEAR_ALWAYS || found == NEAR_NEVER)
         return;
     /* Points have no size, but their clearance has. */
     double other = fmax(box_extent(&b->box), 0x1p-4 * r->maps->least);
@@ -137,7 +137,7 @@ graze_status near_pairs_refine(node_list *near, node_list *coarse, graze_context
 graze_status near_pairs_find(near_list *out, int *within, const placing *p,
                              const dyadic_interval *interval, const node_list *of) {
     node_pair roots = {0, 0};
-    const node_list all = {1, 1, &roots, 0};
+    const node_list all = {.count = 1, .item = &roots};
     ZEROED(node_list, leaves);
     ZEROED(control_maps, maps);
     HELD(map_forms, forms, p->map[SIDE_MOVING], interval);

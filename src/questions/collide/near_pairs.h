@@ -25,8 +25,9 @@ typedef struct node_pair {
 typedef struct node_list {
     size_t count, capacity;
     node_pair *item;
-    int within; /* 1: all points of some pair are nearer than the clearance, always; the list is not
+    int within; /* 1: points of some pair are always nearer than the clearance; the list is not
                    complete then */
+    int soon;   /* 1: points of some pair are that in a few halves of the interval */
 } node_list;
 
 /** Refine pairs of nodes down to leaves; drop pairs that are certainly apart.
@@ -89,11 +90,18 @@ graze_status pair_walk_end(pair_walk *walk);
  * none is known. */
 double error_of_places(const solid_pair *pair, const control_maps *maps);
 
-/** Are the convex hulls of some corners of the moving and of the fixed solid certainly disjoint,
- * and further apart than the clearance, during the interval of the maps?
+/** Certain distances of the convex hulls of some corners of both solids during an interval. */
+typedef enum nearness {
+    NEAR_UNKNOWN = 0,
+    NEAR_NEVER,  /* they are disjoint, and further apart than the clearance, at all times */
+    NEAR_ALWAYS, /* two of their points are nearer than the clearance at all times */
+    NEAR_SOON    /* two of them are that in the middle, and not far from it at other times */
+} nearness;
+
+/** Compare corners of the moving and of the fixed solid during the interval of the maps.
  * @param error from error_of_places */
-int corners_apart(const solid_pair *pair, const control_maps *maps, corner_run moving,
-                  corner_run fixed, double error);
+nearness corners_nearness(const solid_pair *pair, const control_maps *maps, corner_run moving,
+                          corner_run fixed, double error);
 
 /** Are all simplices below two nodes certainly apart like this, by the nodes' slabs? */
 int slabs_apart(const solid_pair *pair, const control_maps *maps, uint32_t moving, uint32_t fixed,

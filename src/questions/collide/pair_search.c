@@ -6,7 +6,8 @@
 #include "questions/collide/near_pairs.h"
 
 /* After MOST_HALVINGS halvings of a piece, pairs are asked however far they move. If there are
- * MANY_PAIRS pairs or more, a vertex deep in the other solid is sought. */
+ * MANY_PAIRS pairs or more, a vertex deep in the other solid is sought, and intervals are halved
+ * whose halves soon are in I. */
 enum { MOST_HALVINGS = 60, MANY_PAIRS = 24 };
 /* If only the first contact is asked for, intervals with more than FEW_PAIRS pairs are halved
  * further, as long as PATIENCE halvings halve the number of pairs: pairs that meet later lie in
@@ -153,7 +154,8 @@ static graze_status search_stretch(searcher *s, stretch_forms *during, const nod
                           !halve));
     if (left.within)
         return go_over(s, &during->interval, pair_walk_pass);
-    halve = halve && (coarse.count > 0 || (s->walk->first && becomes_less(during, left.count)));
+    halve = halve && (coarse.count > 0 || (left.soon && left.count >= MANY_PAIRS) ||
+                      (s->walk->first && becomes_less(during, left.count)));
     for (size_t k = 0; k < coarse.count; k++)
         TRY(node_list_add(&left, s->walk->context, coarse.item[k]));
     if (!left.count)
@@ -166,7 +168,7 @@ static graze_status search_piece(pair_walk *walk, size_t piece) {
     const motion_piece *m = &walk->pair->motion->piece[piece];
     stretch_forms whole = {.level = 0};
     node_pair roots = {0, 0};
-    const node_list all = {1, 1, &roots, 0};
+    const node_list all = {.count = 1, .item = &roots};
     dyadic_interval_init(&whole.interval);
     dyadic_interval_set_si(&whole.interval, 0, 1);
     map_forms_init(&whole.motion, &m->forward, &whole.interval);

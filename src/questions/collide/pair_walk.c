@@ -173,15 +173,9 @@ static graze_status know_gap(pair_walk *walk, size_t *piece, fmpq_t u, graze_tim
 /* Find the state, I or B, at a time at which the boundaries meet: t0, or a time whose gap before it
  * has the state I. `u`, on the piece `before`, is a rational time in that gap. */
 static graze_status look_at_contact(graze_state *out, pair_walk *walk, scene_then *then, placing *p,
-                                    int at_start, size_t before, const fmpq_t u) {
-    if (then->within) {
-        *out = GRAZE_STATE_I;
-    } else if (!p->is_frozen && !at_start && !p->near) {
-        HELD(placing, rational, walk->context, walk->pair, before, u);
-        *out = interiors_look(p, &then->near, &rational);
-    } else {
-        *out = interiors_look(p, &then->near, NULL);
-    }
+                                    size_t before, const fmpq_t u) {
+    HELD(placing, rational, walk->context, walk->pair, before, u);
+    *out = then->within ? GRAZE_STATE_I : interiors_look(p, &then->near, &rational);
     if (!p->status && *out == GRAZE_STATE_O)
         return context_fail(walk->context, GRAZE_EINTERNAL,
                             "two boundaries that meet have no point in common");
@@ -211,7 +205,7 @@ static graze_status walk_into(pair_walk *walk, placing *whole, graze_state left,
     placing *p = then.placed ? &then.p : whole;
     placing_set_time(whole, &time->u);
     if (left != GRAZE_STATE_O && left != GRAZE_STATE_B)
-        TRY(look_at_contact(&state, walk, &then, p, time_is_start(time), before, u));
+        TRY(look_at_contact(&state, walk, &then, p, before, u));
     return enter_time(walk, left, state, p, &then.near);
 }
 

@@ -83,6 +83,12 @@ void placing_set_time(placing *p, algebraic *when);
 #define PLACING_ROOM(p, list, what)                                                                \
     (!(p)->status && !((p)->status = LIST_GROW((p)->context, list, what)))
 
+/** Ask now and then, by the number of a step, whether the run is cancelled. */
+static inline void placing_poll(placing *p, size_t step) {
+    if (step % 64 == 63 && !p->status)
+        p->status = context_poll(p->context);
+}
+
 const graze_solid *placing_solid(const placing *p, pair_side side);
 
 /** The simplex of a pair that belongs to the solid `side`. */
@@ -136,7 +142,7 @@ typedef enum corner_kind { CORNER_MOVING = 0, CORNER_FIXED = 1, CORNER_EDGES = 2
 typedef struct common_corner {
     corner_kind kind;
     unsigned zero[2];
-    int at[2]; /* the corner or (CORNER_EDGES) side of each simplex that it is on; -1: none */
+    int at[2]; /* the side of each simplex, or the corner of that whose vertex it is */
 } common_corner;
 
 enum { MOST_CORNERS = 15 };
@@ -202,8 +208,8 @@ void control_maps_bound(box *out, const control_maps *maps, const box *of);
 /* A vertex of one solid that is in the other solid's interior for an interval of time: meanwhile
  * the state is I, whatever the boundaries do. */
 
-/** An open interval of times of a piece in which the interiors meet; both ends are 0 if none is
- * known. */
+/** An open interval of times of a piece in which the interiors meet, with an end of the piece if it
+ * goes past that; both ends are 0 if none is known. */
 typedef struct deep_interval {
     fmpq_t low, high;
 } deep_interval;
@@ -234,8 +240,8 @@ graze_status incidences_find(algebraic_list *out, placing *p, const near_list *n
  * clearance C131). The time is rational, or the boundaries meet at it or are at the clearance.
  * After a failure of the placing the result is invalid.
  * @param near all pairs of simplices that meet then, and perhaps others
- * @param before for an irrational time: a placing at a rational time such that between both times
- * no vertex changes its state; else NULL */
+ * @param before a placing at a rational time such that between both times no vertex off the other
+ * boundary changes its state, or NULL at a rational time; not used with a clearance */
 graze_state interiors_look(placing *p, const near_list *near, placing *before);
 
 /* Do the interiors of two solids' local cones at a common point meet? A cone is given by the
