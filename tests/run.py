@@ -17,6 +17,7 @@ line of all is the sum.
 import argparse
 import collections
 import concurrent.futures
+import functools
 import os
 import re
 import signal
@@ -62,6 +63,7 @@ DEBIAN = "/usr/bin/python3"
 Job = collections.namedtuple("Job", "path words part least order")
 
 
+@functools.cache
 def interpreter():
     """The Python of the suites, and what it computes fractions with: Debian's where it has gmpy2 (tests/lib/exact.py)."""
     if os.environ.get("GRAZE_FRACTIONS") == "python":

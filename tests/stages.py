@@ -3,8 +3,9 @@
 """Tests beside `make test`, stage by stage: of every submission (`ci`, in .ci/run), or by hand (`long`, as `make test-long`).
 
 CI asks what is costly and hangs on few rooms in full where a file of them has changed since the commit of tests/base.txt, else a
-sample. `long` asks it in full, and writes that commit when all has passed. The first stage that fails ends the run. At the end
-stands what each took: seconds of wall time, seconds of CPU of all its processes, its share of the CPU.
+sample. `long` asks it in full, goes on where an earlier run at the same commit ended (lib/kept.py), and writes that commit when all has
+passed. The first stage that fails ends the run. At the end stands what each took: seconds of wall time, seconds of CPU of all its
+processes, its share of the CPU.
 """
 import argparse
 import collections
@@ -19,6 +20,8 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib
 
 import changed  # noqa: E402
 import suitetimes  # noqa: E402
+from kept import Kept  # noqa: E402
+from run import interpreter  # noqa: E402
 
 # `beside`: one process; as many of these as there are cores run at a time.
 Stage = collections.namedtuple("Stage", "name command beside", defaults=(False,))
@@ -40,7 +43,7 @@ def suite(name, *more):
 
 
 def script(path, *more):
-    return ["python3", "tests/" + path, "--graze", "build/graze", *more]
+    return [interpreter()[0], "tests/" + path, "--graze", "build/graze", *more]
 
 
 def touched():
@@ -62,7 +65,7 @@ def ci(options):
         Stage("the checker weakened", script("check/weakened.py", "--only", ",".join(WEAKENED if of(CHECKER) else WEAKENED[:1]))),
         Stage("the site", ["make", "-s", "docs"], True),
         Stage("falsified decisions", ["bash", "-c", "make -s build/tests/graze-flips && "
-                                      "python3 tests/filter/flip.py --graze build/tests/graze-flips"], True),
+                                      f"{interpreter()[0]} tests/filter/flip.py --graze build/tests/graze-flips"], True),
         Stage("pages in a browser", script("page/browser.py"), True),
         Stage("forged certificates", script("check/forged.py", *([] if of(CERTIFIED) else ["--only", "outside"])), True),
         Stage("candidates in pandas", script("compare/python_candidates.py", "--pandas"), True),
@@ -99,21 +102,12 @@ def long(options):
     ]
 
 
-def keep_base():
-    """The commit at which all has passed becomes the base, if the tree is that of a commit."""
-    if changed.git("status", "--porcelain") != "":
-        return "tests/base.txt stays: this tree is not that of a commit"
-    with open(changed.BASE, "w", encoding="utf-8") as file:
-        file.write(changed.git("rev-parse", "HEAD") + "  make test-long passed\n")
-    return "tests/base.txt has this commit now"
-
-
 class Run:
     """Stages one after the other or beside each other, and what each took."""
 
-    def __init__(self, took):
+    def __init__(self, took, kept=None):
         self.rows = [(name, float(wall), float(cpu)) for name, wall, cpu in took]
-        self.passed, self.failed = 0, []
+        self.passed, self.failed, self.kept = 0, [], kept
 
     def ended(self, stage, began, status, used):
         wall = time.time() - began
@@ -121,6 +115,8 @@ class Run:
         if status:
             self.failed.append(stage.name)
         self.passed += status == 0
+        if self.kept:
+            self.kept.ended(stage.name, *self.rows[-1][1:], failed=status != 0)
         print(f"== {stage.name}: {wall:.0f} s" + (", FAILED" if status else ""), flush=True)
 
     def one(self, stage):
@@ -165,6 +161,50 @@ class Run:
         return "\n".join(f"{a:<45}{b:>8}{c:>8}{d:>8}" for a, b, c, d in lines)
 
 
+def from_first(stages, options, parser):
+    """The stages from --from on."""
+    names = [stage.name for stage in stages]
+    if options.first and options.first not in names:
+        parser.error(f"--from {options.first}: expected one of {', '.join(names)}")
+    return stages[names.index(options.first) if options.first else 0:]
+
+
+def end(run, before):
+    """The status of a run, whose failures are named once more: of a long log often the end alone is read."""
+    for name in run.failed:
+        print(f"== {name} FAILED, see above")
+    print(f"{run.passed + before} passed, {len(run.failed)} failed")
+    return 1 if run.failed or not run.passed + before else 0
+
+
+def run_ci(options, parser):
+    run, began = Run(options.took), time.time()
+    run.all(from_first(ci(options), options, parser))
+    wall = time.time() - began + sum(float(wall) for _, wall, _ in options.took)
+    print(f"{run.table()}\n{wall:.0f} s in all")
+    if options.record and not run.failed:
+        suitetimes.write({(suitetimes.CI, suitetimes.WHOLE): (wall, run.cpu())}, suitetimes.parts())
+    return end(run, 0)
+
+
+def run_long(options, parser):
+    """Stages that have passed at this commit with this seed are not asked again, but by --from."""
+    kept = Kept(options.seed)
+    options.seed = kept.seed
+    stages = long(options)
+    asked = from_first(stages, options, parser) if options.first else [stage for stage in stages if stage.name not in kept.passed]
+    before = {stage.name: kept.passed[stage.name] for stage in stages if stage.name in kept.passed and stage not in asked}
+    print(f"seed {options.seed}" if kept.commit else f"seed {options.seed}; this tree is not that of a commit, so that no stage is kept")
+    if before:
+        print(f"goes on at {kept.commit[:12]}, where these have passed: {', '.join(before)}", flush=True)
+    run, began = Run([(name, *took) for name, took in before.items()], kept), time.time()
+    run.all(asked)
+    print(f"{run.table()}\n{time.time() - began:.0f} s in this run")
+    if not run.failed:
+        print(kept.make_base([stage.name for stage in stages]))
+    return end(run, len(before))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("which", choices=["ci", "long"])
@@ -174,28 +214,8 @@ def main():
     parser.add_argument("--from", dest="first", default="", metavar="NAME", help="begin at this stage, as after one that failed")
     parser.add_argument("--record", action="store_true", help="write what `ci` and its suites took into tests/times.txt, if nothing failed")
     options = parser.parse_args()
-    os.chdir(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-    options.seed = options.seed or time.strftime("%Y%m%d")
-    began = time.time()
-    if options.which == "long":
-        print(f"seed {options.seed}", flush=True)
-    stages = {"ci": ci, "long": long}[options.which](options)
-    names = [stage.name for stage in stages]
-    if options.first and options.first not in names:
-        parser.error(f"--from {options.first}: expected one of {', '.join(names)}")
-    run = Run(options.took)
-    run.all(stages[names.index(options.first) if options.first else 0:])
-    print(run.table())
-    wall = time.time() - began + sum(float(wall) for _, wall, _ in options.took)
-    print(f"{wall:.0f} s in all")
-    if options.record and options.which == "ci" and not run.failed:
-        suitetimes.write({(suitetimes.CI, suitetimes.WHOLE): (wall, run.cpu())}, suitetimes.parts())
-    if options.which == "long" and not run.failed:
-        print(f"tests/base.txt stays: the run began at {options.first}" if options.first else keep_base())
-    for name in run.failed:  # named once more at the end: of a long log often the end alone is read
-        print(f"== {name} FAILED, see above")
-    print(f"{run.passed} passed, {len(run.failed)} failed")
-    sys.exit(1 if run.failed or not run.passed else 0)
+    os.chdir(changed.ROOT)
+    sys.exit((run_long if options.which == "long" else run_ci)(options, parser))
 
 
 if __name__ == "__main__":

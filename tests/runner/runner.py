@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The runner loses no suite: made-up suites in a folder of their own, each with what must come of it, also by tiers. Stages end at the
 first that fails; documents quote what was recorded; numbers of the suites are exact. In this repository every module of the tests is used,
-and every room of src has suites.
+every room of src has suites, and the planted faults apply.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -131,7 +131,8 @@ def lay_out(folder, files, rows):
 
 def ask(folder, files, rows, words, **environment):
     lay_out(folder, files, rows)
-    kept = {name: value for name, value in os.environ.items() if name != "GRAZE_SKIPS"}
+    # The runner asks no interpreter what it has; check_written lets it.
+    kept = {**{name: value for name, value in os.environ.items() if name != "GRAZE_SKIPS"}, "GRAZE_FRACTIONS": "python"}
     return run([sys.executable, "tests/run.py", *words], cwd=folder, env={**kept, **environment})
 
 
@@ -210,6 +211,25 @@ def check_modules(checks):
             continue
         used = any(re.search(rf"^ *(import|from) .*\b{name}\b", other, re.M) for where, other in texts.items() if where != path)
         checks.holds(used, f"{path}: is imported nowhere and runs nothing")
+
+
+def check_planted(checks):
+    """Each patch of mutation/planted applies, and noticed.txt has a row with its first line; at its top it names the rows without a patch."""
+    folder = os.path.join(ROOT, "tests", "mutation", "planted")
+    with open(os.path.join(folder, "noticed.txt"), encoding="utf-8") as file:
+        text = file.read()
+    rows = {name: f"{what}: {path}" for name, what, path in re.findall(r"^([^#| ]+) \| ([^|]*) \| (\S+) \|", text, re.M)}
+    patches = glob.glob(os.path.join(folder, "*.patch"))
+    checks.holds(len(patches) > 80, "patches of mutation/planted")
+    for path in patches:
+        name = os.path.basename(path)[:-len(".patch")]
+        with open(path, encoding="utf-8") as file:
+            checks.equal(rows.pop(name, None), file.readline().rstrip("\n"), name, "in noticed.txt")
+        done = run(["git", "apply", "--check", path], cwd=ROOT)
+        checks.holds(done.returncode == 0, f"{name} does not apply; expected its fault in today's code, or its place named as gone in noticed.txt",
+                     done.stderr)
+    for name in rows:
+        checks.holds(re.search(rf"^#.*{name}\b", text, re.M), f"{name} has no patch, and the top of noticed.txt does not say why")
 
 
 def check_machine(checks):
@@ -322,6 +342,7 @@ def main():
     check_times(checks)
     check_exact(checks)
     check_modules(checks)
+    check_planted(checks)
     check_machine(checks)
     checks.finish()
 

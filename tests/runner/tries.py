@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """`make try` in made-up clones: since when files have changed, which suites are asked about each, and what is built for them; in this
-repository, the suites asked about each file.
+repository, the suites asked about each file; which stages of `make test-long` a run goes on with.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -17,6 +17,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [HERE, os.path.join(HERE, ".."), os.path.join(HERE, "..", "lib"), os.path.join(HERE, "..", "mutation")]
 
 import changed  # noqa: E402
+import kept  # noqa: E402
 import rooms  # noqa: E402
 import stages  # noqa: E402
 import suiterows  # noqa: E402
@@ -221,19 +222,77 @@ def check_stages(checks):
     checks.holds("--sample" not in some["proofs"] and "trace.c" in some["the checker weakened"], some)
 
 
+class Long:
+    """`make test-long` of made-up stages a, b and c in a clone: each writes its name beside build/, and fails where a file says so."""
+
+    def __init__(self, clone_):
+        self.clone, self.folder = clone_, os.path.join(clone_.folder, "build")
+        os.makedirs(self.folder, exist_ok=True)
+
+    def run(self, seed="", first="", failing=""):
+        """Status, the stages that ran, the seed that they were given, all that was said."""
+        def made_up(options_):
+            return [stages.Stage(name, ["sh", "-c", f"echo {name} {options_.seed} >> {self.folder}/ran; {'false' if name in failing else 'true'}"])
+                    for name in "abc"]
+
+        log = os.path.join(self.folder, "ran")
+        with open(log, "w", encoding="utf-8"):
+            pass
+        said, options_ = io.StringIO(), mock.Mock(seed=seed, first=first)
+        with contextlib.redirect_stdout(said), mock.patch.object(stages, "long", made_up), mock.patch.object(changed, "ROOT", self.clone.folder), \
+                mock.patch.object(changed, "BASE", os.path.join(self.clone.folder, "tests", "base.txt")):
+            status = stages.run_long(options_, mock.Mock())
+        with open(log, encoding="utf-8") as file:
+            words = file.read().split()
+        return status, "".join(words[::2]), "".join(sorted(set(words[1::2]))), said.getvalue()
+
+    def base(self):
+        with open(os.path.join(self.clone.folder, "tests", "base.txt"), encoding="utf-8") as file:
+            return file.read()
+
+
 def check_kept(checks):
-    """The base is written on a tree that is a commit's alone."""
-    with clone() as it, contextlib.redirect_stdout(io.StringIO()), \
-            mock.patch.object(changed, "ROOT", it.folder), mock.patch.object(changed, "BASE", os.path.join(it.folder, "tests", "base.txt")):
-        head = it.git("rev-parse", "HEAD")
-        it.write("src/wing/room/source.c", "int x;\n")
-        said = stages.keep_base()
-        checks.holds("stays" in said and not open(changed.BASE, encoding="utf-8").read(), "a tree with changes", said)
+    """A run goes on where one at the same commit ended, with its seed; the base is written when all stages have passed at one commit."""
+    with clone() as it:
+        head, long = it.git("rev-parse", "HEAD"), Long(it)
+        checks.equal(long.run("7", failing="b")[:3], (1, "ab", "7"), "the first that fails ends the run")
+        status, ran, seed, said = long.run(failing="c")
+        checks.equal((status, ran, seed, long.base()), (1, "bc", "7", ""), "the run goes on with the seed of before", said)
+        checks.holds(f"goes on at {head[:12]}, where these have passed: a\n" in said and re.search(r"^a +\d", said, re.M), said)
+        checks.equal(long.run("7", first="c")[:3], (0, "c", "7"), "--from")
+        checks.equal(long.base(), head + "  make test-long passed\n", "all have passed, in three runs")
         it.git("checkout", "-q", "--", ".")
-        said = stages.keep_base()
-        with open(changed.BASE, encoding="utf-8") as file:
-            checks.holds(file.read().startswith(head), "a clean tree", said)
-        checks.equal(changed.recorded(), head, "the base is read again")
+        status, ran, _, said = long.run()
+        checks.equal((status, ran), (0, ""), "nothing is left", said)
+        checks.holds(long.base().startswith(head) and "3 passed, 0 failed" in said, said)
+        it.git("checkout", "-q", "--", ".")
+        checks.equal(long.run("8", failing="c")[:3], (1, "abc", "8"), "another seed begins anew")
+        checks.equal(long.run("8", first="b", failing="b")[:2], (1, "b"), "a stage asked again by --from")
+        checks.equal(long.run("8")[:2], (0, "bc"), "passes no more once it has failed")
+        it.git("checkout", "-q", "--", ".")
+        long.run("9", failing="b")
+        it.write("src/wing/room/source.c", "int x;\n")
+        status, ran, _, said = long.run("9")
+        checks.equal((status, ran, long.base()), (0, "abc", ""), "a tree with changes begins anew, and has no base", said)
+        checks.holds("stays: this tree is not that of a commit" in said, said)
+        it.commit()
+        checks.equal(long.run("9", failing="c")[:2], (1, "abc"), "another commit begins anew")
+        it.write("build/test-long.json", '{"commit": "')
+        checks.equal(long.run("9", failing="c")[:2], (1, "abc"), "half a file")
+    with clone() as it, mock.patch.object(changed, "ROOT", it.folder), \
+            mock.patch.object(changed, "BASE", os.path.join(it.folder, "tests", "base.txt")):
+        kept_ = kept.Kept("7")
+        kept_.ended("a", 1, 1, failed=False)
+        it.write("new.c", "")
+        kept_.ended("b", 1, 1, failed=False)
+        checks.holds("has changed during the run" in kept_.make_base("ab"), "a file that is new after b")
+        os.remove(os.path.join(it.folder, "new.c"))
+        kept_ = kept.Kept("7")
+        checks.equal(list(kept_.passed), ["a"], "b is not kept")
+        checks.holds("have not passed: b, c" in kept_.make_base("abc"), "b and c are missing")
+        kept_.ended("b", 1, 1, failed=False)
+        checks.holds("has this commit" in kept_.make_base("ab"), "a and b")
+        checks.equal(changed.recorded(), it.git("rev-parse", "HEAD"), "the base is read again")
 
 
 def main():
