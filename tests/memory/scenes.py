@@ -214,6 +214,7 @@ def make(graze, folder):
     yield Scene("collide-error", ["collide", u, roll, u, "--motion-error", "1/64", "--clearance", "1/128"], 1)
     yield Scene("outline", ["outline", u, roll, "--operation", "unsweep", "--arcs", "a.csv", "--format", "json"], tables=("a.csv",))
     yield Scene("outline-polygon", ["outline", u, roll, "--polygon", "p.wkt", "--within", "1/8"], tables=("p.wkt",))
+    yield Scene("outline-samples", ["outline", u, plain_roll, "--samples", "s.csv", "--certify", "c.txt"], tables=("s.csv", "c.txt"))
     yield Scene("judge", ["judge", cube, turn, cube, "--within", "1r", "--count", "3", "--vertices", "v.csv"], tables=("v.csv",),
                 spared=NUMBERS)
     yield Scene("judge-page", ["judge", cube, turn, cube, "--within", "1r", "--budget", "1", "--no-points", "--page", "p.html"],
@@ -247,6 +248,7 @@ def make(graze, folder):
                 spared="libcairo:libpixman:libfontconfig:ld-linux")
     yield Scene("draw-distance", ["draw", u, roll, "--grid", "6", "--by", "distance", "-o", "made.svg"], spared=NUMBERS)
     yield Scene("draw-page", ["draw", u, roll, "--grid", "6", "-p", "9,2", "--surface", "1", "-o", "made.html"])
+    yield Scene("draw-proof", ["draw", u, plain_roll, two, "--surface", "none", "--certificate", "c.txt", "-o", "made.html"], files={"c.txt": certificate})
     yield Scene("draw-page-3", ["draw", cube, turn, "--grid", "6", "-p", "5,1,2", "--surface", "none", "-o", "made.html"])
     yield Scene("draw-3", ["draw", cube, turn, "--grid", "6", "-p", "5,1,2", "-o", "made.svg"])
     yield Scene("boundary", ["boundary", u, roll, "--depth", "4", "--coarse", "3", "--contacts", "9", "--surface",
