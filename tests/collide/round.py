@@ -131,7 +131,7 @@ scene("a disk grows irrationally", ball(H, 0, 0), SPIN, plane(box_ring(1, -9, 2,
 PASS = moved(-6, 6, [0, 1], [3], [0])
 scene("a ball past a ball", ball(2, 0, 0, 0), PASS, ball(3, 0, 0, 0), 5, "OBIBO", *[(t, t, {"vertex-vertex": 1}) for t in (-4, 4)])
 scene("a ball grazes a ball", B, PASS, ball(2, 0, 0, 0), 3, "OBO", (0, 0, {"vertex-vertex": 1}))
-# 3, 4, 5: boxes around centres are as far as these, and products of doubles are rounded
+# 5 apart, by 3 and 4, in units of 10^13: boxes around centres are just at the sum of the radii
 scene("large balls that touch", ball(25 * 10 ** 12, 0, 0, 0), moved(0, 1, [0], [0], [0]), ball(25 * 10 ** 12, 3 * 10 ** 13, 4 * 10 ** 13, 0), 5 * 10 ** 13, "B",
       (0, 1, {"vertex-vertex": 1}))
 scene("a ball in a ball", B, moved(0, 1, [0, 1], [0], [0]), ball(9, 0, 0, 0), 10, "I")

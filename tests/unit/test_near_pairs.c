@@ -417,9 +417,9 @@ static void check_times(const char *y, const char *expected) {
     graze_solid_destroy(fixed);
 }
 
-/* Its upright sides cross the 15 levels of the comb: 30 pairs are near. Intervals of which a deep
- * vertex, one of the lower corners, covers a quarter are halved, and those passed over that it
- * covers whole; at other times at which the corners reach a level the interiors meet, too. */
+/* Its upright sides cross the 15 levels of the comb: 30 pairs are near. Where a deep vertex, one of
+ * the lower corners, covers a quarter of an interval, that is halved; where it covers all, it is
+ * passed over. At times at which the corners reach a level the interiors meet, too. */
 static void passes(void **state) {
     (void)state;
     check_times("0", "1/2,1");

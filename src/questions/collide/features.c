@@ -336,20 +336,16 @@ int features_sign(unsigned zero[2], placing *p, const feature_pair *features) {
     return stationary_inside(zero, p, &s) ? sign : 1;
 }
 
-/* Are two edges at the clearance, by one of their ends? */
+/* Are two parallel edges at the clearance, by an end of one whose foot is in the other? */
 static int edge_ends_touch(placing *p, const feature_pair *edges) {
     int d = p->pair->motion->dimension, found = 0;
     unsigned zero[2];
-    for (int i = 0; i < 3 && !found; i++)
-        for (int j = 0; j < 3 && !found && i + j < 4; j++) {
-            feature_pair ends = *edges;
-            int part[2] = {i, j};
-            for (int side = 0; side < 2; side++)
-                if (part[side] < 2) {
-                    ends.of[side].first = (ends.of[side].first + part[side]) % d;
-                    ends.of[side].count = 1;
-                }
-            found = features_sign(zero, p, &ends) == 0;
+    for (int side = 0; side < 2; side++)
+        for (int end = 0; end < 2; end++) {
+            feature_pair part = *edges;
+            part.of[side].first = (part.of[side].first + end) % d;
+            part.of[side].count = 1;
+            found = found || features_sign(zero, p, &part) == 0;
         }
     return found;
 }
