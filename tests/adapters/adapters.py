@@ -94,7 +94,7 @@ def example(checks, name, folder, build):
         return
     done = run([program], 120)
     checks.equal(done.returncode, 0, name, done.stdout[-2000:])
-    if not compiled(checks, source, program, build, "-DSTEPS=3", *more):
+    if not compiled(checks, source, program, build, "-O0", "-DSTEPS=3", *more):  # its warnings were looked at above
         return
     done = run([program], 120)
     checks.holds(done.returncode != 0, name, "4 positions", done.stdout[-2000:])

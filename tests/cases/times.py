@@ -6,6 +6,7 @@ A Time is (polynomial, low, high): its only root in the open interval; or (None,
 r. Polynomials are lists of Fractions, the constant term first. Everything is decided by division
 and Sturm chains over Q.
 """
+import functools
 import re
 
 from exact import Fraction as F
@@ -46,6 +47,11 @@ def changes(chain, x):
 
 def roots_between(p, low, high):
     """How many distinct roots lie in the open interval."""
+    return counted(tuple(p), low, high)
+
+
+@functools.lru_cache(1 << 16)  # rows of one scene have the times of others, and each is read in several files
+def counted(p, low, high):
     if low >= high:
         return 0
     while value(p, low) == 0 or value(p, high) == 0:

@@ -39,11 +39,14 @@ REFUSAL = re.compile(r"\b(refute|give_up|fail|source_fail|differs)\(")
 
 def record(folder, graze):
     """The calls that the suites make, as lines for battery.c: some of each message."""
-    for k, suite in enumerate(SUITES):
+    def ask(k):
         calls = os.path.join(folder, "calls", str(k))
         os.makedirs(calls)
-        subprocess.run([sys.executable, os.path.join(HERE, suite), "--graze", graze],
+        subprocess.run([sys.executable, os.path.join(HERE, SUITES[k]), "--graze", graze],
                        env=dict(os.environ, GRAZE_CHECK_RECORD=calls), stdout=subprocess.DEVNULL)
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        list(pool.map(ask, reversed(range(len(SUITES)))))  # the long ones stand last
     by_message = collections.defaultdict(list)
     for path in sorted(glob.glob(os.path.join(folder, "calls", "*", "*", "call.json"))):
         with open(path, encoding="utf-8") as file:

@@ -30,7 +30,14 @@ SURE = 1e-7         # doubles of these scenes are far more exact
 # ------------------------------------------------------------------------------------ one instant
 
 def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
+    return sum(x * y for x, y in zip(a, b)) if len(a) < 3 else a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def along(n, points):
+    """Where the points lie along n."""
+    if len(n) < 3:
+        return [n[0] * x + n[1] * y for x, y in points]
+    return [n[0] * x + n[1] * y + n[2] * z for x, y, z in points]
 
 
 class Part:
@@ -66,7 +73,7 @@ def width(one, at, other, to):
     axes = distinct(normals + normals_ + [cross(e, f) for e in distinct(edges) for f in distinct(edges_)])
     least = None
     for n in axes:
-        p, q = [dot(n, x) for x in at], [dot(n, x) for x in to]
+        p, q = along(n, at), along(n, to)
         common = (min(max(p), max(q)) - max(min(p), min(q))) / sum(map(abs, n))
         least = common if least is None else min(least, common)
     return least

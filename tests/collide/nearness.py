@@ -128,7 +128,13 @@ def holds(points, cells, x, d):
 
 def square_distance(moving, at, fixed, to, d, inside=False):
     """The squared distance of two bodies whose points are `at` and `to`; with `inside` of the first from the other's complement."""
-    least = min((dot(w, w) for w in (way([at[k] for k in s], [to[k] for k in t]) for s in moving.cells for t in fixed.cells)))
+    others, least = [(t, box(t)) for t in ([to[k] for k in cell] for cell in fixed.cells)], None
+    for s in ([at[k] for k in cell] for cell in moving.cells):
+        here = box(s)
+        for t, there in others:
+            if least is None or square_gap(here, there) < least:
+                w = way(s, t)
+                least = dot(w, w) if least is None else min(least, dot(w, w))
     if least and any(holds(to, fixed.cells, at[k], d) != inside for k in moving.starts if fixed.closed()):
         return 0
     if least and not inside and any(holds(at, moving.cells, to[k], d) for k in fixed.starts if moving.closed()):
@@ -140,13 +146,25 @@ def near_cells(moving, motion, fixed, time, square, motion_of_fixed=None):
     """{(moving cell, fixed cell)} at a squared distance at a rational time, which is that of the boundaries."""
     def placed(solid, by):
         return pieces_of(solid if by is None else solid.mapped(lambda p: by.map(p, time)))
-    found, others = set(), placed(fixed, motion_of_fixed)
+    found, others = set(), [(b, other, box(other.corners)) for b, other in placed(fixed, motion_of_fixed)]
     for a, one in placed(moving, motion):
-        for b, other in others:
+        here = box(one.corners)
+        for b, other, there in others:
+            if square_gap(here, there) > square:
+                continue  # no nearer than their boxes
             w = min((way(s, t) for s in fans(one.corners) for t in fans(other.corners)), key=lambda w: dot(w, w))
             if dot(w, w) == square and meet(one, Piece([minus(p, w) for p in other.corners])):
                 found.add((a, b))
     return found
+
+
+def box(corners):
+    return [(min(xs), max(xs)) for xs in zip(*corners)]
+
+
+def square_gap(one, other):
+    """The squared distance of two boxes."""
+    return sum(max(a - d, c - b, 0) ** 2 for (a, b), (c, d) in zip(one, other))
 
 
 def fans(corners):

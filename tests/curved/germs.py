@@ -46,8 +46,17 @@ class Poly(branches.Poly):
 
     def at(self, p):
         """The value, times a positive number that depends on the polynomial alone."""
+        out = 0
         x, y, z = p
-        return sum((c * x ** i * y ** j * z ** k) << shift for c, i, j, k, shift in self.ready())
+        for c, i, j, k, shift in self.ready():
+            if i:
+                c *= x ** i
+            if j:
+                c *= y ** j
+            if k:
+                c *= z ** k
+            out += c << shift
+        return out
 
     def slope(self, i):
         return Poly({tuple(e - (n == i) for n, e in enumerate(k)): c * k[i] for k, c in self.items() if k[i]})

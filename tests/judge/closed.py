@@ -175,17 +175,15 @@ def turning_box(judge, _):
     solid = block(-3, -4, 0, 3, 4, 1)
     motion = '{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"turn": {"quarters": 2, "axis": ["0", "0", "1"]}}}]}'
     path = judge.graze.write("half_turn.json", motion)
-    for n in (6, 16):
-        sagitta = 5 - 5 * math.cos(math.pi / n)
-        beyond = 5 / math.cos(math.pi / n) - 5
-        inner = judge.ask(f"inscribed {n}", solid, path, prism_mesh(n, 5), "--within", "1/2")
-        outer = judge.ask(f"circumscribed {n}", solid, path, prism_mesh(n, 5 / math.cos(math.pi / n)), "--within", "1/2")
-        if inner:
-            judge.holds(f"inscribed {n}", inner, (0, min(sagitta, 0.5), sagitta), 25 * math.pi, 1 / 2)
-        if outer:
-            judge.holds(f"circumscribed {n}", outer, (beyond, 0, min(sagitta, 0.5)), 25 * math.pi, 1 / 2)
-    path = judge.graze.write("long_turn.json", motion.replace('{"turn": {"quarters": 2, ', '{"rotate": {"tan_half": "4*t - 2", '))
+    sagitta, beyond = 5 - 5 * math.cos(math.pi / 16), 5 / math.cos(math.pi / 6) - 5
+    inner = judge.ask("inscribed 16", solid, path, prism_mesh(16, 5), "--within", "1/2")
+    outer = judge.ask("circumscribed 6", solid, path, prism_mesh(6, 5 / math.cos(math.pi / 6)), "--within", "1/2")
+    if inner:
+        judge.holds("inscribed 16", inner, (0, min(sagitta, 0.5), sagitta), 25 * math.pi, 1 / 2)
     sagitta = 5 - 5 * math.cos(math.pi / 6)
+    if outer:
+        judge.holds("circumscribed 6", outer, (beyond, 0, min(sagitta, 0.5)), 25 * math.pi, 1 / 2)
+    path = judge.graze.write("long_turn.json", motion.replace('{"turn": {"quarters": 2, ', '{"rotate": {"tan_half": "4*t - 2", '))
     report = judge.ask("a longer turn", solid, path, prism_mesh(6, 5), "--within", "1/2")
     if report:
         judge.holds("a longer turn", report, (0, 0.5, sagitta), 25 * math.pi, 1 / 2)

@@ -12,6 +12,16 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "..", "..", "src", "python"), HERE]
 
 
+# Searches for planted bugs in scenes that are drawn: half of the time of all tests.
+KIT = ("test_shrink.Planted.", "test_strategies.Strategies.")
+
+
+def each(suite):
+    """The tests of suites in suites."""
+    for one in suite:
+        yield from each(one) if isinstance(one, unittest.TestSuite) else [one]
+
+
 class Counting(unittest.TextTestResult):
     """Counts what passed: a test is one, however many parts it has."""
 
@@ -29,6 +39,7 @@ def main():
     parser.add_argument("--scale", type=int, default=1)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", default="test_*.py")
+    parser.add_argument("--kit", choices=["with", "without", "alone"], default="with")
     options = parser.parse_args()
     if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:  # in a shell's background
         signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -39,6 +50,8 @@ def main():
     import common
     common.GRAZE, common.SCALE, common.SEED = options.graze, options.scale, options.seed
     tests = unittest.defaultTestLoader.discover(HERE, pattern=options.only)
+    if options.kit != "with":
+        tests = unittest.TestSuite(test for test in each(tests) if test.id().startswith(KIT) == (options.kit == "alone"))
     result = unittest.TextTestRunner(stream=sys.stdout, verbosity=0, resultclass=Counting).run(tests)
     # A test that needs numpy is none of the run without it.
     idle = [skip for skip in result.skipped if options.way == "without-numpy" and skip[1] == "numpy"]

@@ -33,7 +33,11 @@ def words(points, model):
 
 def wrong_if(condition):
     """A classifier that calls `in` points `out` in models of a condition, else is right."""
-    return lambda points, model: [("out" if word == "in" and condition(model) else word) for word in words(points, model)]
+    def answers(points, model):
+        said = "out" if condition(model) else "in"
+        return [said if word == "in" else word for word in words(points, model)]
+
+    return answers
 
 
 def turns(model):

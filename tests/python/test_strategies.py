@@ -13,10 +13,11 @@ import graze.testing
 from common import numpy
 
 if importlib.util.find_spec("hypothesis"):
-    from hypothesis import HealthCheck, given, seed, settings
+    from hypothesis import HealthCheck, Phase, given, seed, settings
     from hypothesis import strategies as st
     import graze.strategies as ours
-    few = settings(max_examples=12, deadline=None, database=None, derandomize=False, suppress_health_check=list(HealthCheck))
+    few = settings(max_examples=12, deadline=None, database=None, derandomize=False, suppress_health_check=list(HealthCheck),
+                   phases=(Phase.generate, Phase.shrink))  # nobody reads an explanation
 
 
 @unittest.skipIf(numpy is None, "numpy")

@@ -21,15 +21,14 @@ def object_of(build, source):
 
 def read_objects(build, files):
     """{source: Object} of those whose object is there."""
-    objects = {}
-    for source in files:
-        path = object_of(build, source)
-        if not os.path.exists(path):
-            continue
-        listing = subprocess.run(["nm", "--format=posix", path], stdout=subprocess.PIPE, check=True).stdout.decode()
-        symbols = [line.split()[:2] for line in listing.splitlines()]
-        objects[source] = Object(*({name for name, kind in symbols if kind in kinds} for kinds in ("T", "DBRC", "U")))
-    return objects
+    there = {object_of(build, source): source for source in files if os.path.exists(object_of(build, source))}
+    listing = subprocess.run(["nm", "--format=posix", "--print-file-name", *there], stdout=subprocess.PIPE, check=True).stdout.decode()
+    symbols = collections.defaultdict(list)
+    for line in listing.splitlines():
+        path, _, row = line.partition(": ")
+        symbols[path].append(row.split()[:2])
+    return {source: Object(*({name for name, kind in symbols[path] if kind in kinds} for kinds in ("T", "DBRC", "U")))
+            for path, source in there.items()}
 
 
 def free_functions(names):

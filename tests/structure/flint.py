@@ -2,6 +2,7 @@
 """Headers of FLINT that a file needs. FLINT 2.9's include one another, those of FLINT 3 do so less, so a file that
 builds with one may not build with the other: each file includes the headers whose functions it names, or a header of the
 project that does. Those that FLINT declares only behind mpfr.h need it first."""
+import functools
 import re
 
 import sources
@@ -12,6 +13,11 @@ MODULES = ("fmpz_poly_factor", "nmod_poly_factor", "fmpz_poly_mat", "fmpz_poly",
 BROUGHT = {"fmpq": {"fmpz"}}  # by FLINT 3's too
 CALL = re.compile(r"\b_?(" + "|".join(MODULES) + r")_\w+\s*\(")
 BEHIND_MPFR = re.compile(r"\bfmp[qz]\w*_mpfr\s*\(")
+
+
+@functools.cache
+def of_flint(text):
+    return set(re.findall(r"#include <flint/(\w+)\.h>", text))
 
 
 def reached(path, files):
@@ -30,7 +36,7 @@ def lacking(path, files):
     code = sources.bare(files[path])
     there = set()
     for other in reached(path, files):
-        there |= set(re.findall(r"#include <flint/(\w+)\.h>", files[other]))
+        there |= of_flint(files[other])
     needed = {call.group(1) for call in CALL.finditer(code)}
     wrong = [f"flint/{name}.h" for name in sorted(needed - there.union(*(BROUGHT.get(name, set()) for name in there)))]
     if BEHIND_MPFR.search(code) and not re.search(r"#include <mpfr\.h>(?s:.*)#include <flint/", files[path]):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Paths of files that comments and pages name."""
+import functools
 import glob
 import os
 import re
@@ -41,6 +42,7 @@ def prose(path):
     return "\n".join((HASHED if path.endswith((".py", "Makefile")) else COMMENT).findall(text))
 
 
+@functools.cache
 def exists(path):
     return any(os.path.exists(place) or glob.glob(place) for place in
                (path, path.rstrip("."), path + ".c", path + ".h", path + ".cpp", path + ".hpp", path + ".py"))

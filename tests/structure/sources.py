@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The sources as text: what a file includes, which functions it defines at file scope, which ones a header declares."""
+import functools
 import glob
 import os
 import re
@@ -39,11 +40,14 @@ def unit_of(path):
 def is_public(path):
     return path.startswith("include/")
 
+@functools.cache  # several checks follow the includes of every file
 def included(path, text):
     """The files of the project that a file includes, each as (the name as written, its path or None)."""
+    found = []
     for name in re.findall(r'^\s*#\s*include\s+(?:"|<(?=graze))([^">]+)[">]', text, re.M):
         places = (f"src/{name}", f"include/{name}", f"{os.path.dirname(path)}/{name}")
-        yield name, next((place for place in places if os.path.exists(place)), None)
+        found.append((name, next((place for place in places if os.path.exists(place)), None)))
+    return found
 
 def bare(text):
     """The text without comments, preprocessor lines and attributes; each literal is an L."""
