@@ -190,7 +190,8 @@ def ends(checks, sampler):
     got = sampler.outline("empty", (files[0], far), "--operation", "unsweep")
     checks.equal(got and got[1], [], "an empty unsweep")
     checks.equal(sampler.check(files[0], far, sampler.certificate, sampler.table)[:2], (0, "verified: 0 rows\n"), "an empty unsweep")
-    out = sampler.program.call("outline", *files, "--samples", sampler.table, "--limit", "digits=1")
+    turn = sampler.program.write("turn.json", TURN)
+    out = sampler.program.call("outline", files[0], turn, "--samples", sampler.table, "--limit", "digits=1")
     checks.holds(out.returncode == 6 and "digits" in out.stderr, "limit digits", out.returncode, out.stderr)
 
 
