@@ -89,6 +89,9 @@ WEDGE = prism(ring((0, 0), (5, -1), (5, 1)), -1, 1)
 SHEAR = build([(F(-1, 2), F(1, 2), matrix([[[1, 0, 1], [], [], [1, 0, -1]], [[], [1, 0, 1], [0, -2], []], [[], [], [1, 0, 1], []]], [1, 0, 1]))])
 near("an edge twists on a cylinder", WEDGE, SHEAR, prism(ring((0, 0), (-5, 1), (-5, -1)), -3, 3), 1, "IBI",
      (0, 0, {"edge-edge": 1, "vertex-edge": 2}))
+# c = (1 - t^2) / (1 + t^2) is R = (2^60 - 1) / (2^60 + 1) at 2^-30 to both sides; between, the edges are parallel and farther away
+near("an edge twists 2^-59 outside a cylinder", WEDGE, SHEAR, prism(ring((0, 0), (-5, 1), (-5, -1)), -3, 3), F(2 ** 60 - 1, 2 ** 60 + 1), "IBOBI",
+     *[(t, t, {"edge-edge": 1}) for t in (F(-1, 2 ** 30), F(1, 2 ** 30))])
 
 # ------------------------------------------------------------------------ through, in, and around
 
