@@ -14,7 +14,7 @@ from collections import Counter
 
 from byhand import SCENES
 from exact import Fraction as F
-from harness import run
+from harness import run, without_leaks
 from outlines import Checks, Program, options
 
 from solids import Polygon, box_ring, ring  # noqa: E402
@@ -58,7 +58,7 @@ class Sampler:
         return json.loads(out.stdout), rows_of(read(self.table))
 
     def check(self, *files):
-        out = run([self.checker, *files])
+        out = run([self.checker, *files], env=without_leaks())
         return out.returncode, out.stdout, out.stderr
 
     def readable(self, files):
