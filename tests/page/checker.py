@@ -49,6 +49,18 @@ class InPage:
         return done["status"], *("".join(line + "\n" for line in lines) for lines in said)
 
 
+def answered(browser, given, asked):
+    """Files given to the page's button, and a value of the page once it has its verdict."""
+    root = browser.call("DOM.getDocument")["root"]["nodeId"]
+    button = browser.call("DOM.querySelector", nodeId=root, selector="#choose")["nodeId"]
+    browser.value("document.getElementById('said').className = document.getElementById('said').textContent = ''")
+    browser.call("DOM.setFileInputFiles", nodeId=button, files=given)
+    until = time.monotonic() + 60
+    while time.monotonic() < until and not browser.value("document.getElementById('said').className"):
+        time.sleep(.1)
+    return browser.value(asked)
+
+
 def chosen(browser, tally, graze, files, folder):
     """Files given to the page's button, the table and certificate packed; then a table with a row that is wrong, and a page."""
     packed = []
@@ -56,19 +68,11 @@ def chosen(browser, tally, graze, files, folder):
         with open(path, "rb") as file, gzip.open(os.path.join(folder, os.path.basename(path) + ".gz"), "wb") as out:
             out.write(file.read())
         packed.append(out.name)
-    root = browser.call("DOM.getDocument")["root"]["nodeId"]
-    button = browser.call("DOM.querySelector", nodeId=root, selector="#choose")["nodeId"]
 
     def said(given):
-        browser.value("document.getElementById('said').className = ''")
-        browser.call("DOM.setFileInputFiles", nodeId=button, files=given)
-        until = time.monotonic() + 60
-        while time.monotonic() < until:
-            shown = browser.value("[document.getElementById('said').className, document.getElementById('said').textContent, document.getElementById('row').textContent]")
-            if shown[0]:
-                return shown
-            time.sleep(.1)
-        return shown
+        return answered(browser, given, "[document.getElementById('said').className, document.getElementById('said').textContent, "
+                                        "document.getElementById('row').textContent]")
+
     shown = said([*files[:2], *packed])
     tally.holds(shown[0] == "verified" and shown[1].startswith("verified: "), shown)
     forged = os.path.join(folder, "forged.csv")
@@ -88,16 +92,9 @@ def chosen(browser, tally, graze, files, folder):
 
 def alone(browser, tally, graze, files, folder):
     """A page that has its files is verified without them, after one that has not; a file that is given besides takes the place of its own."""
-    root = browser.call("DOM.getDocument")["root"]["nodeId"]
-    button = browser.call("DOM.querySelector", nodeId=root, selector="#choose")["nodeId"]
-
     def said(given):
-        browser.value("document.getElementById('said').className = document.getElementById('said').textContent = ''")
-        browser.call("DOM.setFileInputFiles", nodeId=button, files=given)
-        until = time.monotonic() + 60
-        while time.monotonic() < until and not browser.value("document.getElementById('said').className"):
-            time.sleep(.1)
-        return browser.value("[document.getElementById('said').className, [...document.querySelectorAll('#files td')].map(e => e.textContent)]")
+        return answered(browser, given, "[document.getElementById('said').className, [...document.querySelectorAll('#files td')].map(e => e.textContent)]")
+
     page = drawn(graze, files, folder, "--certificate", files[2])
     shown = said([page])
     ending = os.path.splitext(files[0])[1]

@@ -39,7 +39,6 @@ static void map_start(double *x, double *y, const picture *p, const polygon_edge
 }
 
 void arcs_draw(canvas *c, const picture *p) {
-    static const char *const names[] = {"path", "edge", "envelope"};
     if (!p->has_arcs)
         return;
     canvas_begin(c, "arcs", NULL);
@@ -53,7 +52,7 @@ void arcs_draw(canvas *c, const picture *p) {
             if ((int)arc_source(p, e) == source)
                 drawn_path_line(&lines, x[0], y[0], x[1], y[1]);
         }
-        canvas_path(c, &lines, &arc_style[source], names[source]);
+        canvas_path(c, &lines, &arc_style[source], curve_source_names[source]);
     }
     canvas_end(c);
 }

@@ -13,8 +13,6 @@ enum { NEAR_DIGITS = 17 };
 static motion_piece number_piece = {.lo = {{0, 1}}, .hi = {{1, 1}}};
 static const graze_motion number_line = {.dimension = 2, .piece_count = 1, .piece = &number_piece};
 
-static const char *const kind_names[] = {"path", "edge", "envelope"};
-
 typedef struct outline_writer {
     json_writer w;
     graze_context *context;
@@ -112,7 +110,7 @@ static graze_status put_source(outline_writer *j, const outline_piece *first,
     const algebraic *end[2];
     source_ends(end, j->outline, first, last);
     json_open(&j->w, NULL, '{');
-    json_text(&j->w, "kind", kind_names[c->source]);
+    json_text(&j->w, "kind", curve_source_names[c->source]);
     json_cell_members(&j->w, &cell);
     json_count(&j->w, "piece", c->piece);
     if (is_edge)
@@ -315,7 +313,8 @@ static graze_status put_arc_row(outline_writer *j, size_t number, const size_t *
     if (c->source == SOURCE_PATH)
         text_format(j->w.out, "path,%zu,%zu,", c->a, c->piece);
     else
-        text_format(j->w.out, "%s,%zu-%zu,%zu,", kind_names[c->source], c->a, c->b, c->piece);
+        text_format(j->w.out, "%s,%zu-%zu,%zu,", curve_source_names[c->source], c->a, c->b,
+                    c->piece);
     for (int k = 0; k < 2; k++)
         TRY(put_exact(j, AS_FIELD, NULL, o->scene->motion, c->piece,
                       c->source == SOURCE_EDGE ? &c->at : end[k]));

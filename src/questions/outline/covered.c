@@ -59,25 +59,16 @@ static int edge_misses(int *odd, const box *x, const double *a, const double *b,
     return side != 0;
 }
 
-/* Is all of a box inside the solid at a time, or, of an unsweep, outside it? */
-static int covers_at(const graze_scene *scene, const covering *v, const box *x, size_t time) {
-    const simplices *cut = &scene->solid->cut;
-    const double *at = v->vertex + 2 * scene->solid->input.vertex_count * time;
-    int is_sweep = scene->options.operation == GRAZE_SWEEP, odd = 0;
-    double size = v->size;
-    box wide = {0};
-    if (is_sweep && !box_meets(x, &v->around[time]))
+/* Is all of a box that was made wider inside the solid at a time, or, of an unsweep, outside it? */
+static int covers_at(const graze_outline *o, const box *wide, double doubt, size_t time) {
+    const graze_solid *solid = o->scene->solid;
+    const double *at = o->cover.vertex + 2 * solid->input.vertex_count * time;
+    int is_sweep = o->scene->options.operation == GRAZE_SWEEP, odd = 0;
+    if (is_sweep && !box_meets(wide, &o->cover.around[time]))
         return 0;
-    for (int k = 0; k < 2; k++)
-        size = fmax(size, fmax(fabs(x->low[k]), fabs(x->high[k])));
-    for (int k = 0; k < 2; k++) {
-        wide.low[k] = x->low[k] - ldexp(size, -48) - DBL_MIN;
-        wide.high[k] = x->high[k] + ldexp(size, -48) + DBL_MIN;
-    }
-    for (size_t k = 0; k < cut->count; k++) {
-        const uint32_t *end = cut->item[k].vertex;
-        if (!edge_misses(&odd, &wide, at + 2 * (size_t)end[0], at + 2 * (size_t)end[1],
-                         ldexp(size * size, -46) + DBL_MIN))
+    for (size_t k = 0; k < solid->cut.count; k++) {
+        const uint32_t *end = solid->cut.item[k].vertex;
+        if (!edge_misses(&odd, wide, at + 2 * (size_t)end[0], at + 2 * (size_t)end[1], doubt))
             return 0;
     }
     return odd == is_sweep;
@@ -86,9 +77,18 @@ static int covers_at(const graze_scene *scene, const covering *v, const box *x, 
 int outline_covers(const graze_outline *o, const box *x, size_t piece) {
     const covering *v = &o->cover;
     size_t middle = piece * v->each + v->each / 2;
+    double size = v->size;
+    box wide = {0};
+    for (int k = 0; k < 2; k++)
+        size = fmax(size, fmax(fabs(x->low[k]), fabs(x->high[k])));
+    for (int k = 0; k < 2; k++) {
+        wide.low[k] = x->low[k] - ldexp(size, -48) - DBL_MIN;
+        wide.high[k] = x->high[k] + ldexp(size, -48) + DBL_MIN;
+    }
+    double doubt = ldexp(size * size, -46) + DBL_MIN;
     for (size_t k = 0; k <= TIMES; k++)
-        if ((k <= middle && covers_at(o->scene, v, x, middle - k)) ||
-            (k > 0 && middle + k < v->count && covers_at(o->scene, v, x, middle + k)))
+        if ((k <= middle && covers_at(o, &wide, doubt, middle - k)) ||
+            (k > 0 && middle + k < v->count && covers_at(o, &wide, doubt, middle + k)))
             return 1;
     return 0;
 }

@@ -4,6 +4,8 @@
 #include "base/context/scope.h"
 #include "questions/outline/arc_complex.h"
 
+const char *const curve_source_names[] = {"path", "edge", "envelope"};
+
 static void turn_order_clear(turn_order *t) {
     free(t->next);
     free(t->previous);

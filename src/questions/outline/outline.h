@@ -20,6 +20,8 @@ typedef struct bracket {
 /* Candidates: curves that hold the boundary (proofs/outline.md C134). */
 
 typedef enum curve_source { SOURCE_PATH, SOURCE_EDGE, SOURCE_ENVELOPE } curve_source;
+/** Their names: path, edge, envelope. */
+extern const char *const curve_source_names[3];
 
 /**
  * A curve: the path of vertex `a`; or the edge from `a` to `b`, at the time `at` of the piece or as
