@@ -5,13 +5,9 @@
 #include "api/api.h"
 
 #include <flint/flint.h>
-#include <flint/fmpq_vec.h>
 #include <math.h>
-#include <mpfr.h>
 #include <pthread.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <yajl/yajl_version.h>
 #include "base/number/rational.h"
 #include "base/number/rounding.h"

@@ -3,9 +3,7 @@
 #ifndef GRAZE_API_H
 #define GRAZE_API_H
 
-#include <flint/fmpq.h>
 #include <stddef.h>
-#include <stdlib.h>
 #include "base/context/context.h"
 #include "base/context/scope.h"
 #include "base/number/text.h"

@@ -3,9 +3,6 @@
  */
 #include "api/api.h"
 
-#include <flint/fmpq_vec.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/team.h"
 #include "questions/boundary/boundary.h"
 

@@ -3,7 +3,6 @@
  */
 #include "api/api.h"
 
-#include <stdlib.h>
 #include "questions/certify/certify.h"
 
 struct graze_certifier {

@@ -2,8 +2,6 @@
 #include "api/api.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include "decide/verdict/verdict.h"
 #include "output/report/report.h"
 #include "questions/collide/collide.h"

@@ -3,8 +3,6 @@
  */
 #include "api/api.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include "output/compare/compare.h"
 
 static int compare_options_known(const graze_compare_options *o) {

@@ -3,8 +3,6 @@
  */
 #include "api/api.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include "base/number/rounding.h"
 #include "input/convert/convert.h"
 

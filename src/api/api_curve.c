@@ -3,8 +3,6 @@
  */
 #include "api/api.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include "output/report/report.h"
 #include "questions/contact/contact.h"
 #include "questions/envelope/envelope.h"

@@ -1,9 +1,7 @@
 /* The public functions of distances. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "api/api.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
-#include <string.h>
 #include "base/number/rounding.h"
 #include "decide/verdict/verdict.h"
 #include "graze/distance.h"

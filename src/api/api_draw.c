@@ -3,9 +3,7 @@
  */
 #include "api/api.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
-#include <string.h>
 #include "output/draw/draw.h"
 #include "output/page/page.h"
 #include "questions/topo/topo.h"

@@ -3,7 +3,6 @@
  */
 #include "api/api.h"
 
-#include <stdlib.h>
 #include "questions/generate/generate.h"
 
 const char *graze_stratum_name(graze_stratum stratum) {

@@ -3,9 +3,6 @@
  */
 #include "api/api.h"
 
-#include <flint/fmpq_vec.h>
-#include <stdlib.h>
-#include <string.h>
 #include "decide/verdict/verdict.h"
 #include "output/table/table.h"
 

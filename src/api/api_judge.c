@@ -1,9 +1,7 @@
 /* The public functions of meshes that are judged. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "api/api.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/team.h"
 #include "base/number/rounding.h"
 #include "input/read/read.h"

@@ -3,9 +3,6 @@
  */
 #include "api/api.h"
 
-#include <flint/fmpq_vec.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/number/rounding.h"
 #include "output/draw/draw.h"
 #include "output/page/page.h"

@@ -3,8 +3,6 @@
  */
 #include "api/api.h"
 
-#include <string.h>
-
 /* All kinds, but of curved solids only those for which a box is proved. */
 enum { BOXED = SOLID_STRAIGHT | SOLID_CURVED };
 

@@ -2,7 +2,6 @@
 #include "api/api.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include "graze/outline.h"
 #include "output/report/report.h"
 #include "questions/outline/outline.h"

@@ -3,7 +3,6 @@
  */
 #include "api/api.h"
 
-#include <stdlib.h>
 #include "graze/solid.h"
 
 graze_status graze_scene_at_rest(graze_scene **out, graze_context *context,

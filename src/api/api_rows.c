@@ -3,7 +3,6 @@
  */
 #include "api/api.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include "decide/verdict/verdict.h"
 #include "output/report/report.h"

@@ -4,8 +4,6 @@
 #include "api/api.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/file.h"
 #include "input/scad/scad.h"
 

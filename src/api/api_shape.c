@@ -3,8 +3,6 @@
  */
 #include "api/api.h"
 
-#include <flint/fmpq_vec.h>
-#include <stdlib.h>
 #include "input/convert/convert.h"
 
 /* Take a number over and check that its sign is at least `least`; NULL gives 0. */

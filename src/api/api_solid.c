@@ -3,9 +3,7 @@
  */
 #include "api/api.h"
 
-#include <flint/fmpq_vec.h>
 #include <stdint.h>
-#include <string.h>
 #include "base/context/file.h"
 #include "base/number/rounding.h"
 #include "input/mend/mend.h"

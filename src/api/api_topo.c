@@ -3,8 +3,6 @@
  */
 #include "api/api.h"
 
-#include <flint/fmpq_vec.h>
-#include <stdlib.h>
 #include "questions/topo/topo.h"
 
 struct graze_topology {

@@ -211,6 +211,8 @@ def check_flint(files):
     for path in files:
         wrong = flint.lacking(path, files)
         check(not wrong, f"{path} does not include {', '.join(wrong)}, of which it calls functions")
+        wrong = flint.again(path, files)
+        check(not wrong, f"{path} includes {', '.join(wrong)}, which scope.h brings")
 
 
 def check_paths():

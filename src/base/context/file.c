@@ -13,8 +13,6 @@
 #include <poll.h>
 #include <sha256.h>
 #include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <sys/types.h>
 #include <unistd.h>

@@ -8,7 +8,8 @@
  * longjmp, whose jumps would skip the initialising or the clearing. The contents of such a local
  * are handed on by a function that leaves it initialised and empty: a swap, text_take. Members of
  * structures, elements of arrays and arguments are initialised and cleared by calls. src/check and
- * the public headers are ISO C and take none of this.
+ * the public headers are ISO C and take none of this. Who includes this has the headers below too,
+ * and does not name them again.
  */
 #ifndef GRAZE_SCOPE_H
 #define GRAZE_SCOPE_H

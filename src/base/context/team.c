@@ -9,8 +9,6 @@
 #include <flint/flint.h>
 #include <pthread.h>
 #include <signal.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 typedef struct team {

@@ -3,8 +3,6 @@
  */
 #include "base/number/bernstein.h"
 
-#include <flint/fmpz_vec.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 /* Vectors of integers of one width, on top of GMP's unsigned limb kernels, which wrap around as

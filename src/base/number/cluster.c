@@ -7,7 +7,6 @@
  */
 #include "base/number/cluster.h"
 
-#include <flint/fmpz_vec.h>
 #include <limits.h>
 #include "base/context/scope.h"
 #include "base/number/bernstein.h"

@@ -6,7 +6,6 @@
  */
 #include "base/number/decimal.h"
 
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/text.h"
 

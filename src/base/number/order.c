@@ -4,7 +4,6 @@
  */
 #include "base/number/algebraic.h"
 
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/modular.h"
 

@@ -6,8 +6,6 @@
  */
 #include <flint/ulong_extras.h>
 #include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/rounding.h"

@@ -3,13 +3,9 @@
  *
  * MPFR rounds by integer arithmetic, so the host's floating-point environment has no influence.
  */
-#include <mpfr.h> /* before FLINT 3, which declares functions that use MPFR only after it */
-
 #include <float.h>
-#include <flint/fmpq.h>
 #include <math.h>
 #include <stdint.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/dyadic.h"
 #include "base/number/rounding.h"

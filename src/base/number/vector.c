@@ -3,8 +3,6 @@
  */
 #include "base/number/vector.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 
 void vector_add(fmpq *out, const fmpq *a, const fmpq *b, int dimension) {

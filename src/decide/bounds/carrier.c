@@ -3,9 +3,7 @@
  */
 #include "decide/bounds/bounds.h"
 
-#include <flint/fmpz_vec.h>
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/bernstein.h"
 

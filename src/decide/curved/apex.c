@@ -7,8 +7,6 @@
  */
 #include <flint/fmpq_mpoly.h>
 #include <flint/fmpz_mpoly.h>
-#include <flint/fmpz_mpoly_factor.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "decide/curved/arrangement.h"

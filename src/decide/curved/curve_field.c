@@ -6,7 +6,6 @@
  * and the rank of their gradients is constant on it (proofs/flows.md C121). The coefficients of v
  * and of the combinations solve a linear system of integers, whatever the time.
  */
-#include <flint/fmpz_mat.h>
 #include "base/context/scope.h"
 #include "decide/curved/arrangement.h"
 

@@ -3,8 +3,6 @@
  *
  * Without the filter, or where it cannot be used, each piece is one window for all surfaces.
  */
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "decide/curved/walker.h"
 

@@ -1,8 +1,6 @@
 /* Polynomials in the local time, and their signs at a time or along a gap.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpz_vec.h>
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/modular.h"

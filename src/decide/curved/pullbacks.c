@@ -1,7 +1,6 @@
 /* Pullbacks of surfaces, and their roots.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/isolate.h"

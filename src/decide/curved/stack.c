@@ -6,11 +6,7 @@
  * point on the vertical line through it, and in its width branches meet at the abscissa of the
  * point alone. Then the branches in the window are those that end in the point (C126).
  */
-#include <flint/fmpq_vec.h>
 #include <flint/fmpz_mpoly.h>
-#include <flint/fmpz_vec.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "decide/curved/walker.h"

@@ -1,7 +1,6 @@
 /* Expansions of surfaces at a point of the trajectory.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <string.h>
 #include "base/context/scope.h"
 #include "decide/curved/arrangement.h"
 

@@ -1,8 +1,6 @@
 /* Tables of truth, without the surfaces that change nothing.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "decide/curved/arrangement.h"

@@ -5,7 +5,6 @@
  * asked for (C101). A time is decided once the gap after it is known, since the states of both gaps
  * say whether interior and exterior come arbitrarily near (C95).
  */
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "decide/curved/walker.h"

@@ -1,7 +1,6 @@
 /* The word and the contacts of a trace, built from states.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "decide/curved/walker.h"

@@ -1,7 +1,6 @@
 /* A plane's form of a moved corner is a polynomial of the time; on a part it has one sign if all
  * its Bernstein coefficients have that sign. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_poly.h>
 #include "base/context/scope.h"
 #include "decide/filter/search.h"
 

@@ -3,8 +3,6 @@
  */
 #include "decide/lattice/lattice.h"
 
-#include <flint/fmpq_vec.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "decide/trace/trace.h"

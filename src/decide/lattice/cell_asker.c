@@ -3,7 +3,6 @@
  */
 #include "decide/lattice/lattice.h"
 
-#include <string.h>
 #include "base/context/scope.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"

@@ -1,8 +1,6 @@
 /* Rows of grid points. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "decide/lattice/lattice.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 /* Longer axes have no table of texts. */

@@ -11,8 +11,6 @@
  */
 #include "decide/scene/scene.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/bernstein.h"

@@ -7,9 +7,6 @@
  */
 #include "decide/scene/scene.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 

@@ -5,7 +5,6 @@
  */
 #include "decide/scene/scene.h"
 
-#include <flint/fmpz_vec.h>
 #include <sha256.h>
 #include "base/context/scope.h"
 

@@ -10,11 +10,6 @@
  */
 #include "decide/scene/scene.h"
 
-#include <flint/fmpq_mat.h>
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 

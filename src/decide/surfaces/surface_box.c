@@ -1,8 +1,6 @@
 /* Boxes of quadrics by the inverse of their matrix. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "decide/surfaces/surfaces.h"
 
-#include <flint/fmpq.h>
-#include <flint/fmpz_mat.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"

@@ -4,8 +4,6 @@
 #include "decide/surfaces/surfaces.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 /* List all products of homogeneous coordinates up to the solid's degree, in order of degree. */

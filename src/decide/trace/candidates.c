@@ -4,9 +4,7 @@
  */
 #include "decide/trace/trace.h"
 
-#include <flint/fmpz_vec.h>
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 

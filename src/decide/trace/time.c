@@ -4,9 +4,6 @@
  */
 #include "decide/trace/trace.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_poly_factor.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/modular.h"

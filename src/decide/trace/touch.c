@@ -4,9 +4,7 @@
  */
 #include "decide/trace/trace.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/isolate.h"

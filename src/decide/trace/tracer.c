@@ -3,10 +3,7 @@
  */
 #include "decide/trace/trace.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 

@@ -3,8 +3,6 @@
  */
 #include "decide/trace/trace.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 

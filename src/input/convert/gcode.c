@@ -7,7 +7,6 @@
  */
 #include "input/convert/gcode.h"
 
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "input/convert/angle.h"

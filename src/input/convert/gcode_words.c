@@ -4,7 +4,6 @@
 #include "input/convert/gcode.h"
 
 #include <ctype.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 

@@ -7,7 +7,6 @@
 #include "input/convert/angle.h"
 
 #include <math.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "input/convert/poses_list.h"

@@ -4,7 +4,6 @@
 #include "input/convert/poses_list.h"
 
 #include <ctype.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/context/spelling.h"
 

@@ -3,8 +3,6 @@
  */
 #include "input/convert/poses_list.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/file.h"
 #include "base/context/scope.h"

@@ -10,7 +10,6 @@
 #include "input/convert/angle.h"
 
 #include <math.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "base/number/vector.h"

@@ -3,10 +3,6 @@
  */
 #include "input/csg/csg_reader.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 

@@ -7,8 +7,6 @@
  */
 #include "input/csg/csg_reader.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 
 /* Binary places of the bound of an irrational root. */

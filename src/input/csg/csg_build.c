@@ -6,13 +6,7 @@
  */
 #include "input/csg/csg_reader.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_mat.h>
-#include <flint/fmpz_mpoly_factor.h>
-#include <flint/fmpz_vec.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 

@@ -3,9 +3,6 @@
  */
 #include "input/csg/csg_reader.h"
 
-#include <flint/fmpq_mat.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/file.h"
 #include "base/context/scope.h"
 

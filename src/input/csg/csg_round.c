@@ -1,8 +1,6 @@
 /* Balls and capsules among the nodes of a curved solid.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/vector.h"

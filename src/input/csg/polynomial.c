@@ -10,9 +10,6 @@
  */
 #include "input/csg/csg_reader.h"
 
-#include <flint/fmpq_vec.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/vector.h"

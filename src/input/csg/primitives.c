@@ -7,7 +7,6 @@
  */
 #include "input/csg/csg_reader.h"
 
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 

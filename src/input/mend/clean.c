@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #define _GNU_SOURCE /* qsort_r */
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "input/mend/mesh.h"

@@ -3,8 +3,6 @@
  */
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "input/mend/mesh.h"

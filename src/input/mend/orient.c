@@ -6,9 +6,6 @@
  * not cross, so a shell is inside another if one of its points is; a shell inside an odd number of
  * others is turned. Whether the result is legal is not decided here.
  */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "input/mend/mesh.h"
 

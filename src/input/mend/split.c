@@ -6,7 +6,6 @@
  * facets.
  */
 #define _GNU_SOURCE /* qsort_r */
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "input/mend/mesh.h"
 

@@ -5,11 +5,7 @@
  * cells as wide as the distance, so that those within the distance of a point are in the point's
  * cell or a neighbour of it.
  */
-#include <mpfr.h>
-#include <flint/fmpq.h>
-#include <flint/fmpq_vec.h>
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/context/slots.h"
 #include "base/number/vector.h"

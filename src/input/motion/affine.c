@@ -1,7 +1,6 @@
 /* Affine maps of E^d whose entries are rational functions of one parameter u.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "input/motion/affine.h"
 

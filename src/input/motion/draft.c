@@ -3,8 +3,6 @@
  */
 #include "input/motion/draft.h"
 
-#include <flint/fmpq_vec.h>
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 

@@ -3,9 +3,7 @@
  */
 #include "input/motion/draft.h"
 
-#include <flint/fmpq_vec.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 

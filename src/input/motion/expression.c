@@ -4,7 +4,6 @@
  * Invariant: `place` is the first byte not yet read. After the first failure in `calculation` every
  * function returns at once, and its value has no meaning.
  */
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/motion/draft.h"

@@ -3,8 +3,6 @@
  */
 #include "input/motion/motion.h"
 
-#include <flint/fmpq_mat.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 
 void point_map_init(point_map *map, int dimension) {

@@ -3,7 +3,6 @@
  */
 #include "input/motion/draft.h"
 
-#include <string.h>
 #include "base/context/file.h"
 #include "base/context/scope.h"
 

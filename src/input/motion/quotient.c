@@ -3,8 +3,6 @@
  */
 #include "input/motion/affine.h"
 
-#include <flint/fmpz_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/modular.h"

@@ -7,8 +7,6 @@
  */
 #include "input/motion/affine.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 
 static void norm_of(calculation *c, fmpz_poly_q_t out, fmpz_poly_q_t *v, int count) {

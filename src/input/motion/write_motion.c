@@ -4,8 +4,6 @@
  */
 #include "input/motion/motion.h"
 
-#include <flint/fmpq_poly.h>
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 
 /* out = p at u = (t - lo) / (hi - lo). */

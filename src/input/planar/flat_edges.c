@@ -4,9 +4,6 @@
 #define _GNU_SOURCE /* qsort_r */
 #include "input/planar/walk.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 

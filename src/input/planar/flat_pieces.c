@@ -7,10 +7,7 @@
  */
 #include "input/planar/walk.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "base/number/vector.h"

@@ -3,10 +3,7 @@
  */
 #include "input/planar/walk.h"
 
-#include <flint/fmpz_vec.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 int flat_surfaces(const csg *solid) {

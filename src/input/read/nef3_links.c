@@ -5,8 +5,6 @@
  * and sfaces that list them, each once. Marks of shalfedges and shalfloops are their facets' marks,
  * those of sfaces their volumes'.
  */
-#include <flint/fmpz_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "input/read/nef3_text.h"
 

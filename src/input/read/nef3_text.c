@@ -4,9 +4,6 @@
  * Counts are compared with the file's size before anything is allocated. Functions do nothing once
  * n->status is a failure, so that an item is read by a plain sequence of calls.
  */
-#include <flint/fmpz_vec.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/read/nef3_text.h"

@@ -8,8 +8,6 @@
  */
 #include "input/read/read.h"
 
-#include <flint/fmpq_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "input/validate/validate.h"

@@ -6,8 +6,6 @@
  * groups and materials are skipped; curves, lines and points do not belong to a boundary and are
  * refused.
  */
-#include <flint/fmpq_vec.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/read/token_lines.h"

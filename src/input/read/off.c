@@ -5,8 +5,6 @@
  * ST a position in a texture. These numbers and the colours behind a facet's indices are skipped;
  * `#` begins a comment.
  */
-#include <flint/fmpq_vec.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/read/token_lines.h"

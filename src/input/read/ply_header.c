@@ -1,8 +1,6 @@
 /* The header of a PLY file (token_lines.h).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "input/read/token_lines.h"
 

@@ -3,8 +3,6 @@
  */
 #include "input/read/nef3_text.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include <strings.h>
 #include "base/context/file.h"
 #include "base/context/scope.h"

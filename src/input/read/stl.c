@@ -4,7 +4,6 @@
  * Vertices are numbered in order of first appearance. Normals and attributes are skipped. A binary
  * file may begin with "solid" too, so its size decides: 84 + 50 n bytes for n triangles.
  */
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/context/slots.h"
 #include "base/number/rounding.h"

@@ -1,7 +1,6 @@
 /* A text as lines of tokens (token_lines.h).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <string.h>
 #include <strings.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"

@@ -4,7 +4,6 @@
 #include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/scad/arguments.h"

@@ -1,7 +1,6 @@
 /* Writes primitives of space.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "input/csg/csg.h"

@@ -3,8 +3,6 @@
  */
 #include "input/scad/hull.h"
 
-#include <flint/fmpq_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 

@@ -1,7 +1,6 @@
 /* Reads and composes maps, and bounds what they do.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "input/csg/csg.h"

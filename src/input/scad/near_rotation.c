@@ -1,7 +1,6 @@
 /* Takes a rotation, times a scale, instead of a matrix of few digits.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"

@@ -1,7 +1,6 @@
 /* Finds parts of OpenSCAD's files that are empty: of size zero, without points, or flattened.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "input/scad/arguments.h"
 

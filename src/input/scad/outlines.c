@@ -1,8 +1,6 @@
 /* Writes primitives of the plane: as they are, as prisms, or revolved about an axis.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "input/csg/csg.h"

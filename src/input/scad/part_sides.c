@@ -4,7 +4,6 @@
  * Corners are those of regular polygons, rounded to multiples of 2^-60 of the radius. All rings of
  * a part have the same corners times a radius, so its faces are plane.
  */
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "input/scad/writer.h"
 

@@ -6,8 +6,6 @@
  * nodes.
  */
 #include <ctype.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "input/scad/arguments.h"

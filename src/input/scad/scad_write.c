@@ -7,9 +7,6 @@
  */
 #include "input/scad/writer.h"
 
-#include <flint/fmpq_vec.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
 #include "base/number/vector.h"

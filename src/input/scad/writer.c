@@ -1,7 +1,6 @@
 /* Writes what nodes of OpenSCAD's files have in common.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
 #include <stdio.h>
 #include "base/context/scope.h"
 #include "input/scad/writer.h"

@@ -5,8 +5,6 @@
 
 #include <stdatomic.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "input/planar/planar.h"
 

@@ -6,8 +6,6 @@
  */
 #include "input/solid/solid.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 

@@ -3,7 +3,6 @@
  */
 #include "input/solid/solid.h"
 
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 

@@ -3,7 +3,6 @@
  */
 #include "input/soup/soup.h"
 
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 

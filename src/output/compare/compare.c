@@ -3,8 +3,6 @@
  */
 #include "output/compare/judgement.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 /* Both tables and their matching during a comparison. */

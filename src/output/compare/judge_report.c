@@ -2,7 +2,6 @@
 #include "output/compare/compare.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 

@@ -3,8 +3,6 @@
  */
 #include "base/context/scope.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/team.h"
 #include "decide/verdict/verdict.h"
 #include "output/compare/judgement.h"

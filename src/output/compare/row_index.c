@@ -7,8 +7,6 @@
  */
 #include "output/compare/counts.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 

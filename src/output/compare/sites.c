@@ -6,7 +6,6 @@
  */
 #include "output/compare/judgement.h"
 
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 

@@ -4,8 +4,6 @@
 #include "output/compare/counts.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/file.h"
 #include "base/context/scope.h"

@@ -7,7 +7,6 @@
 #include "output/compare/counts.h"
 
 #include <stdio.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/vector.h"

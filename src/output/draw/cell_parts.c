@@ -3,7 +3,6 @@
  */
 #include "output/draw/views.h"
 
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "decide/verdict/verdict.h"
 

@@ -3,8 +3,6 @@
  */
 #include "output/draw/views.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
 #include "base/number/vector.h"

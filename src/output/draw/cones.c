@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "output/report/report.h"

@@ -4,7 +4,6 @@
 #include "output/draw/views.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 
 /* Make the positions of S at times spread evenly over the motion, both ends included. */

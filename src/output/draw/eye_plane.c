@@ -5,8 +5,6 @@
  * lattice's square if the expression holds at one end alone.
  */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "output/draw/panel.h"

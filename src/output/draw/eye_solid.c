@@ -6,7 +6,6 @@
 #include "output/draw/panel.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 

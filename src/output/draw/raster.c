@@ -4,7 +4,6 @@
 #include "output/draw/views.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 
 /* Most runs of one panel: a run takes about 12 bytes of SVG, and a picture has two such panels. */

@@ -4,7 +4,6 @@
 #include "output/draw/views.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
 #include "base/number/vector.h"

@@ -4,7 +4,6 @@
 #include "output/draw/views.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 
 /* Map all vertices by d rows of d + 1 numbers. */

@@ -7,8 +7,6 @@
 #include "output/draw/views.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 /* A mesh with DENSE triangles or more is dense: its edges are shown where the surface bends by more

@@ -4,8 +4,6 @@
 #include "output/draw/panel.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "decide/verdict/verdict.h"

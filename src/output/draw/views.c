@@ -4,7 +4,6 @@
 #include "output/draw/views.h"
 
 #include <math.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 int picture_is_plane(const picture *p) {

@@ -3,8 +3,6 @@
  */
 #include "output/page/page.h"
 
-#include <flint/fmpq_vec.h>
-#include <string.h>
 #include "base/context/file.h"
 #include "base/context/scope.h"
 #include "questions/certify/certify.h"

@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "decide/verdict/verdict.h"
 

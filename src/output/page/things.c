@@ -3,7 +3,6 @@
  */
 #include "output/page/page.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "questions/boundary/boundary.h"

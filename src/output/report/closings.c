@@ -6,7 +6,6 @@
  */
 #include "output/report/row_parts.h"
 
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 
 typedef struct closings_maker {

@@ -6,9 +6,6 @@
  */
 #include "output/report/row_parts.h"
 
-#include <mpfr.h>
-#include <flint/fmpq_vec.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 int time_is_rational(const graze_time *time) {

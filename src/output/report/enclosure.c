@@ -2,7 +2,6 @@
 #include "output/report/row_parts.h"
 
 #include <math.h>
-#include <mpfr.h>
 #include "base/context/scope.h"
 
 /* Digits of the decimal of an irrational time. */

@@ -7,7 +7,6 @@
  */
 #include "output/report/row_parts.h"
 
-#include <flint/fmpq_vec.h>
 #include <stdio.h>
 #include "base/context/scope.h"
 #include "decide/verdict/verdict.h"

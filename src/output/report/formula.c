@@ -5,10 +5,6 @@
  * u = (t - lo)/(hi - lo) is substituted and the quotient brought to lowest terms. Coefficients are
  * exact; where terms or digits are left out, the text says how many.
  */
-#include <flint/fmpq_poly.h>
-#include <flint/fmpq_vec.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "output/report/row_parts.h"

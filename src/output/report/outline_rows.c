@@ -3,7 +3,6 @@
 #include "output/report/row_parts.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 

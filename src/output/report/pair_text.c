@@ -1,7 +1,6 @@
 /* Verdict, word, contacts and cells in words. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/report/row_parts.h"
 
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "decide/verdict/verdict.h"
 

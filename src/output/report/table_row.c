@@ -1,7 +1,6 @@
 /* Answers points for rows. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/report/row_parts.h"
 
-#include <string.h>
 #include "base/context/scope.h"
 
 trace_detail row_detail(const graze_row_options *shown) {

@@ -3,7 +3,6 @@
  */
 #include "output/report/row_parts.h"
 
-#include <string.h>
 #include "base/context/scope.h"
 
 static void put_hash(text *t, const char *key, const unsigned char sha256[32]) {

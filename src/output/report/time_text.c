@@ -3,7 +3,6 @@
  */
 #include "output/report/row_parts.h"
 
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 
 enum { DECIMAL_DIGITS = 12 };

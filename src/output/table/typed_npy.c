@@ -5,7 +5,6 @@
  */
 #include "output/table/table.h"
 
-#include <string.h>
 #include "base/context/scope.h"
 
 /* Little-endian. */

@@ -6,8 +6,6 @@
  */
 #include "output/table/table.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/rational.h"

@@ -5,7 +5,6 @@
 
 #include <ctype.h>
 #include <stdio.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 

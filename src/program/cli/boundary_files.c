@@ -5,7 +5,6 @@
  * points and cells, so the functions for VTK write both.
  */
 #include <math.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "program/cli/values.h"
 

@@ -3,7 +3,6 @@
  */
 #include "program/cli/values.h"
 
-#include <string.h>
 #include "base/context/scope.h"
 #include "output/report/columns.h"
 

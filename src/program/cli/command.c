@@ -8,8 +8,6 @@
 
 #include <ctype.h>
 #include <getopt.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/context/spelling.h"
 

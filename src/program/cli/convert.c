@@ -4,8 +4,6 @@
 #include "program/cli/values.h"
 
 #include <stddef.h>
-#include <stdlib.h>
-#include <string.h>
 #include <strings.h>
 #include "base/context/scope.h"
 

@@ -3,7 +3,6 @@
 #include "program/cli/values.h"
 
 #include <stdio.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 enum { TITLE_MOST = 512 };

@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "program/cli/values.h"
 
-#include <string.h>
 #include "base/context/scope.h"
 
 HELP(explain);

@@ -3,8 +3,6 @@
 #include "program/cli/values.h"
 
 #include <float.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 HELP(judge);

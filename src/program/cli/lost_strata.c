@@ -1,7 +1,6 @@
 /* Messages on strata without points: the reason, and options that help.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <string.h>
 #include "base/context/scope.h"
 #include "program/cli/values.h"
 

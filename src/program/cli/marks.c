@@ -2,8 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "program/cli/values.h"

@@ -3,7 +3,6 @@
  */
 #include "program/cli/values.h"
 
-#include <string.h>
 #include <strings.h>
 #include "base/context/scope.h"
 

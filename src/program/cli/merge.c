@@ -8,8 +8,6 @@
 #include "program/cli/values.h"
 
 #include <limits.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 HELP(merge);

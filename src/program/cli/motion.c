@@ -4,8 +4,6 @@
 #include "program/cli/values.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/context/spelling.h"
 

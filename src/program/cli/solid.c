@@ -4,7 +4,6 @@
 #include "program/cli/values.h"
 
 #include <stdio.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 HELP(solid);

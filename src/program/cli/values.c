@@ -4,7 +4,6 @@
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/context/spelling.h"
 #include "program/cli/values.h"

@@ -4,7 +4,6 @@
 #include "program/io/io.h"
 
 #include <stdio.h>
-#include <string.h>
 #include <strings.h>
 #include "base/context/scope.h"
 

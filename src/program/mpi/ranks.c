@@ -8,7 +8,6 @@
 #include "program/mpi/mpi.h"
 
 #include <mpi.h>
-#include <stdlib.h>
 #include <time.h>
 #include "base/context/scope.h"
 

@@ -6,8 +6,6 @@
  */
 #include "program/points/heads.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include "base/context/scope.h"
 #include "output/report/columns.h"

@@ -5,8 +5,6 @@
 
 #include <ctype.h>
 #include <errno.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 /* Cut a text at its commas into at most `most` words; returns how many words it has. */

@@ -4,8 +4,6 @@
 #include "program/points/points.h"
 
 #include <ctype.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 const char *result_name(result_kind kind) {

@@ -4,7 +4,6 @@
  */
 #include "program/run/results.h"
 
-#include <string.h>
 #include "base/context/scope.h"
 
 void queue_add(queue *q, block *b) {

@@ -6,7 +6,6 @@
  */
 #include "program/run/results.h"
 
-#include <stdlib.h>
 #include "base/context/scope.h"
 
 /* The number of blocks in memory: enough to keep all threads busy while one block is written. */

@@ -9,8 +9,6 @@
 
 #include <pthread.h>
 #include <search.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/json.h"
 

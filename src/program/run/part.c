@@ -4,7 +4,6 @@
 #include "program/run/run.h"
 
 #include <errno.h>
-#include <string.h>
 #include <sys/stat.h>
 #include "base/context/scope.h"
 

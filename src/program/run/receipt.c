@@ -5,7 +5,6 @@
 
 #include <sha256.h>
 #include <stdio.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 /* A receipt has fewer than RECEIPT bytes; a hash has HASH bytes. */

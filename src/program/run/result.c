@@ -3,7 +3,6 @@
  */
 #define _GNU_SOURCE /* memrchr */
 #include <errno.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include "base/context/scope.h"

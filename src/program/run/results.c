@@ -4,8 +4,6 @@
 #include "program/run/results.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include "base/context/scope.h"
 #include "output/report/columns.h"

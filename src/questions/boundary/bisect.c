@@ -13,7 +13,6 @@
  */
 #include "questions/boundary/sampling.h"
 
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/context/team.h"
 #include "base/number/vector.h"

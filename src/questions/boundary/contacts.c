@@ -3,8 +3,6 @@
  */
 #include "questions/boundary/sampling.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "decide/trace/trace.h"

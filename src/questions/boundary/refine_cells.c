@@ -9,7 +9,6 @@
  */
 #include "questions/boundary/sampling.h"
 
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 

@@ -19,8 +19,6 @@
  */
 #include "questions/boundary/sampling.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/context/team.h"

@@ -4,7 +4,6 @@
  */
 #include "questions/certify/prove.h"
 
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 
 static int is_given(const unsigned char sha256[32]) {

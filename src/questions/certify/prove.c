@@ -1,9 +1,7 @@
 /* The checker's tests, run beforehand on polynomials of FLINT.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpz_vec.h>
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "questions/certify/prove.h"

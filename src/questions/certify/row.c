@@ -4,8 +4,6 @@
  */
 #include "questions/certify/prove.h"
 
-#include <flint/fmpz_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "decide/verdict/verdict.h"
 

@@ -1,8 +1,6 @@
 /* Writes the intervals and contacts of a row.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "questions/certify/prove.h"
 

@@ -4,10 +4,7 @@
  * Invariant: the distance is always above `low`, and at most `high` at a rational time. The
  * tolerance ends the questions, and changes none: enclosures are nested.
  */
-#include <flint/fmpq_mat.h>
-#include <flint/fmpq_vec.h>
 #include <math.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "questions/collide/near_pairs.h"

@@ -1,8 +1,6 @@
 /* Answers pairs: finds the word and the contacts, and what they imply.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "questions/collide/near_pairs.h"
 

@@ -1,6 +1,4 @@
 /* Control maps from Bernstein coefficients. SPDX-License-Identifier: GPL-3.0-or-later */
-#include <flint/fmpz_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "questions/collide/placing.h"
 

@@ -2,8 +2,6 @@
  * with that boundary before the time to its first contact after it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "questions/collide/placing.h"
 

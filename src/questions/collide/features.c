@@ -1,9 +1,6 @@
 /* Pairs of features, whose equation, feet and cells come from the vectors that span them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_mat.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "questions/collide/features.h"
 

@@ -1,7 +1,6 @@
 /* Times of incidences are roots of the equations of pairs of features.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/simplest.h"

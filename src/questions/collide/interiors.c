@@ -1,8 +1,6 @@
 /* The interiors meet if an edge passes through a simplex, a component is inside the other solid, or
  * the open cones at a common point meet. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "questions/collide/features.h"
 

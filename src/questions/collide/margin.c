@@ -1,9 +1,7 @@
 /* The clearance of a pair: its square on each piece, and its bounds in doubles.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_poly.h>
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "questions/collide/features.h"

@@ -2,7 +2,6 @@
  * Each time at which a point is deep enough is such a bound. The points do not depend on the error,
  * so that enclosures are nested. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "questions/collide/near_pairs.h"

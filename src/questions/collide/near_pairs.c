@@ -2,7 +2,6 @@
  * images. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "questions/collide/near_pairs.h"
 

@@ -4,7 +4,6 @@
  * On the sphere, parts of the cones' arcs bound the intersection of both open sets, so one point of
  * each part is enough.
  */
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "questions/collide/features.h"
 

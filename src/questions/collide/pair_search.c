@@ -1,7 +1,6 @@
 /* Intervals of time are halved as long as pairs of boxes move further than they are large; the
  * remaining pairs are asked exactly. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "questions/collide/near_pairs.h"
 

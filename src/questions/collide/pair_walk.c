@@ -5,8 +5,6 @@
  * the boundaries meet has the state B if a gap beside it has O or B, and the state I or B if each
  * gap beside it has I.
  */
-#include <flint/fmpq_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "questions/collide/near_pairs.h"
 

@@ -1,8 +1,5 @@
 /* Values of forms at carried vertices, and their signs. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "questions/collide/placing.h"
 

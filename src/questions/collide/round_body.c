@@ -1,8 +1,6 @@
 /* Balls and capsules as points and segments, with what a solid has for searches.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "questions/collide/features.h"
 

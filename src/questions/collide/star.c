@@ -1,8 +1,6 @@
 /* The tree is searched with the edge's box; the signs of planes and sides at the point decide.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "questions/collide/placing.h"
 

@@ -1,8 +1,6 @@
 /* Vectors that are polynomials in u: products, and edges of placed solids.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "questions/collide/features.h"
 

@@ -8,10 +8,6 @@
  */
 #include "questions/contact/contact.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/rounding.h"

@@ -4,10 +4,7 @@
  */
 #include "questions/contact/nearby.h"
 
-#include <flint/fmpq.h>
-#include <flint/fmpz_vec.h>
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/rounding.h"

@@ -5,7 +5,6 @@
  */
 #include "questions/contact/nearby.h"
 
-#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 
 /* Set *out to the sign of (time - t), for a time of the trace. */

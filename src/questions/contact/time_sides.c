@@ -6,10 +6,6 @@
  */
 #include "questions/contact/nearby.h"
 
-#include <flint/fmpq_poly.h>
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/vector.h"

@@ -4,7 +4,6 @@
 #include "questions/distance/gap.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 
 /* ERROR bounds the relative error of sums of coefficients: 2^-52 of each coefficient and a few

@@ -1,7 +1,6 @@
 /* The diagonal of S^0's box. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/distance/distance.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 

@@ -4,9 +4,7 @@
  */
 #include "questions/distance/gap.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "decide/verdict/verdict.h"

@@ -4,7 +4,6 @@
 #include "questions/distance/gap.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "questions/distance/time_search.h"

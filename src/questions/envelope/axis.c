@@ -1,7 +1,5 @@
 /* Merges roots in order, finds samples between them, and makes tables of signs.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "questions/envelope/sign_events.h"

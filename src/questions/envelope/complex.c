@@ -1,8 +1,6 @@
 /* Makes facets of simplices, identifies vertices by position, and finds the facets that contain an
  * edge or a vertex by locating a point of it. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "questions/envelope/patch_ends.h"

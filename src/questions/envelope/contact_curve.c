@@ -1,6 +1,5 @@
 /* Finds all parts of a curve at a time, classifies their middles, and chains them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "questions/envelope/patch_ends.h"

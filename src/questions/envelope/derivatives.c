@@ -1,7 +1,6 @@
 /* Computes Phi_1 = -A^-1 (A' y + b') and Phi_(k+1) = Delta Phi_k' - k Delta' Phi_k + Phi_k Phi_1.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "questions/envelope/sign_events.h"
 

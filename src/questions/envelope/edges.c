@@ -2,7 +2,6 @@
  * them cross.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "base/number/vector.h"

@@ -1,7 +1,5 @@
 /* Makes cells and fields, and gathers events and findings of each cell.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "questions/envelope/patch_ends.h"
 

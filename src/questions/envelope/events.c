@@ -1,7 +1,6 @@
 /* Collects events and sorts them by exact times; names of events, answers and reasons.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stddef.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "questions/envelope/sign_events.h"
 

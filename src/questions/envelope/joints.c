@@ -1,7 +1,6 @@
 /* Joints between moments: finds at each vertex and edge the patches
  * that end at one place. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "questions/envelope/patch_ends.h"
 

@@ -6,7 +6,6 @@
  * both have order k, lambda tends to the same expression with the derivatives of order k in place
  * of g_u and g_v.
  */
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "questions/envelope/patch_ends.h"
 

@@ -1,8 +1,6 @@
 /* Merges the times of events with the ends and breaks of the motion, and lists them by the cells
  * that the events name; velocities at a time between moments.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "questions/envelope/patch_ends.h"
 

@@ -3,7 +3,6 @@
  * A slice is cut where it meets vertices and edges; a segment between two such points is within the
  * facet if its middle is. Along an edge, contact changes only at zeros of g (proofs/events.md C79).
  */
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "questions/envelope/patch_ends.h"

@@ -1,8 +1,6 @@
 /* Patches, cell by cell. Between neighbouring moments of a cell its patches are its parts of the
  * curve of contact at one time. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "questions/envelope/patch_ends.h"
 

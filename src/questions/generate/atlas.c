@@ -3,8 +3,6 @@
  */
 #include "questions/generate/charts.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 
 /* The most surfaces, pairs of surfaces, pairs of a line and a surface, and pairs of a surface and

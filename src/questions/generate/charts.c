@@ -3,7 +3,6 @@
  */
 #include "questions/generate/charts.h"
 
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 

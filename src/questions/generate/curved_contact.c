@@ -4,7 +4,6 @@
  */
 #include "questions/generate/charts.h"
 
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "decide/curved/curved.h"

@@ -3,8 +3,6 @@
  */
 #include "questions/generate/charts.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"

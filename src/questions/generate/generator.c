@@ -3,7 +3,6 @@
  */
 #include "questions/generate/strata.h"
 
-#include <string.h>
 #include "base/context/scope.h"
 
 static const struct {

@@ -4,7 +4,6 @@
  */
 #include "questions/generate/strata.h"
 
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "decide/trace/trace.h"

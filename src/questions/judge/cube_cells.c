@@ -3,7 +3,6 @@
  */
 #include "questions/judge/cube.h"
 
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/rounding.h"

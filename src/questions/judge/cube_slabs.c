@@ -4,8 +4,6 @@
 #include "questions/judge/cube.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/context/team.h"

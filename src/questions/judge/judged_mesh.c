@@ -3,8 +3,6 @@
  */
 #include "questions/judge/open_search.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 

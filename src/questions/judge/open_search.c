@@ -3,7 +3,6 @@
 #include "questions/judge/cube.h"
 
 #include <math.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "decide/trace/trace.h"

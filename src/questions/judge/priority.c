@@ -1,7 +1,6 @@
 /* A binary heap. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/judge/cube.h"
 
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 

@@ -7,7 +7,6 @@
 #include "questions/judge/cube.h"
 
 #include <math.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "questions/judge/open_search.h"

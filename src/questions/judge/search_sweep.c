@@ -3,7 +3,6 @@
  */
 #include "questions/judge/cube.h"
 
-#include <string.h>
 #include "base/context/scope.h"
 #include "questions/judge/open_search.h"
 

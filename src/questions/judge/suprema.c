@@ -4,7 +4,6 @@
 #include "questions/judge/cube.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "questions/judge/open_search.h"
 

@@ -1,10 +1,6 @@
 /* Candidates of the boundary: paths of vertices, edges at ends of pieces and at flat times,
  * envelopes of edges (proofs/outline.md C134).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_poly_factor.h>
-#include <flint/fmpz_vec.h>
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/isolate.h"

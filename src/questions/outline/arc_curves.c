@@ -1,8 +1,6 @@
 /* Candidate curves: memory, reduction, boxes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <flint/fmpz_vec.h>
 #include <math.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/bernstein.h"

@@ -1,9 +1,7 @@
 /* Pieces of the candidate curves between cuts, and which of them are one point set
  * (proofs/outline.md C137).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <flint/fmpz_poly_factor.h>
 #include <math.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "questions/outline/arc_complex.h"

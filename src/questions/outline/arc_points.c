@@ -1,6 +1,5 @@
 /* Points at which boundary pieces end: which are one point (proofs/outline.md C139).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "questions/outline/arc_complex.h"

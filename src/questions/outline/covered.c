@@ -6,7 +6,6 @@
  */
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "questions/outline/arcs.h"

@@ -1,7 +1,6 @@
 /* Cuts of the candidate curves, each by the roots of polynomials of its parameter alone
  * (proofs/outline.md C136).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "questions/outline/arcs.h"

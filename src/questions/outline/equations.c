@@ -1,8 +1,6 @@
 /* Equations of the candidate curves, and which curves have one in common
  * (proofs/outline.md C135).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <flint/fmpz_mpoly_factor.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "questions/outline/arcs.h"

@@ -2,9 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/outline/arcs.h"
 
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_poly_factor.h>
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 

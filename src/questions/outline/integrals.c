@@ -4,7 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/outline/bracket.h"
 
-#include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 
 /* Terms of a series; the last one, of even order, is the rest. */

@@ -1,6 +1,5 @@
 /* Areas and lengths of arcs, rings and walks (proofs/outline.md C142).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"

@@ -1,6 +1,5 @@
 /* The steps from a scene to its outline.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "questions/outline/arc_complex.h"
 

@@ -5,7 +5,6 @@
  * exact in 128 bits.
  */
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "questions/outline/arc_complex.h"

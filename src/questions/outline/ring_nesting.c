@@ -1,7 +1,6 @@
 /* Rings in one another, components and holes (proofs/outline.md C141).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "questions/outline/arc_complex.h"

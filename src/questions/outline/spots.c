@@ -4,8 +4,6 @@
  * A rational point is classified. A place that is not rational is no lower part if all of a small
  * box around it is in the solid's interior (for an unsweep: in its exterior) at one time.
  */
-#include <flint/fmpq_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "questions/outline/arc_complex.h"

@@ -2,7 +2,6 @@
  * (proofs/outline.md C140).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "questions/outline/arc_complex.h"

@@ -1,7 +1,5 @@
 /* Arcs of boundary pieces, and walks along them (proofs/outline.md C141).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "questions/outline/arc_complex.h"

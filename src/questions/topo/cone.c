@@ -6,8 +6,6 @@
  */
 #include "questions/topo/cover.h"
 
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 

@@ -5,8 +5,6 @@
  * With P = (a / c, b / c) and D the degree, c^D g(P + (x, y)) is the sum of g_ij c^(D - i - j)
  * (X + a)^i (Y + b)^j with X = c x, Y = c y.
  */
-#include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "questions/topo/eliminate.h"

@@ -8,7 +8,6 @@
  * kept below all such s > 0 (proofs/closure.md C74).
  */
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "questions/topo/near.h"

@@ -6,7 +6,6 @@
  */
 #include "questions/topo/eliminate.h"
 
-#include <stdlib.h>
 #include "base/context/scope.h"
 
 /* Polynomials of a larger degree are not factored. */

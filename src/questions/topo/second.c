@@ -12,7 +12,6 @@
  */
 #include "questions/topo/near.h"
 
-#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/isolate.h"

@@ -6,7 +6,6 @@
  */
 #include "questions/topo/cover.h"
 
-#include <stdlib.h>
 #include "base/context/scope.h"
 
 void sectors_clear(sector_list *list) {

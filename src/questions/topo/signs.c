@@ -6,7 +6,6 @@
  */
 #include "questions/topo/cover.h"
 
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 

@@ -1,7 +1,6 @@
 /* Points near a place are projected to the planes of facets that contain the place, until all signs
  * are right. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "questions/topo/near.h"
 

@@ -1,7 +1,6 @@
 /* The levels in their order. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/topo/eliminate.h"
 
-#include <stdlib.h>
 #include "base/context/scope.h"
 
 /* Data shared by all points of a scene: the planes of its facets and, once needed, its curves. */
