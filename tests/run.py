@@ -223,7 +223,7 @@ def parsed():
     parser.add_argument("--build", default="build")
     parser.add_argument("--only", action="append", default=[], help="run suites whose path contains this text; more than once: any of these")
     parser.add_argument("--skip", action="append", default=[], help="leave out suites whose path contains this text")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() + 1, help="suites at a time; some wait, so one more than there are cores")
     parser.add_argument("--scale", help="of random suites, a fraction too, where it is not the tier's")
     parser.add_argument("--from", dest="first", metavar="F", help="random suites begin at this share of their stream")
     parser.add_argument("--seed", default="", help="of random tests, where it is not the suite's own")

@@ -172,21 +172,28 @@ def prism_mesh(n, radius):
 
 
 def turning_box(judge, _):
-    solid = block(-3, -4, 0, 3, 4, 1)
-    motion = '{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"turn": {"quarters": 2, "axis": ["0", "0", "1"]}}}]}'
-    path = judge.graze.write("half_turn.json", motion)
-    sagitta, beyond = 5 - 5 * math.cos(math.pi / 16), 5 / math.cos(math.pi / 6) - 5
-    inner = judge.ask("inscribed 16", solid, path, prism_mesh(16, 5), "--within", "1/2")
-    outer = judge.ask("circumscribed 6", solid, path, prism_mesh(6, 5 / math.cos(math.pi / 6)), "--within", "1/2")
-    if inner:
-        judge.holds("inscribed 16", inner, (0, min(sagitta, 0.5), sagitta), 25 * math.pi, 1 / 2)
-    sagitta = 5 - 5 * math.cos(math.pi / 6)
-    if outer:
-        judge.holds("circumscribed 6", outer, (beyond, 0, min(sagitta, 0.5)), 25 * math.pi, 1 / 2)
-    path = judge.graze.write("long_turn.json", motion.replace('{"turn": {"quarters": 2, ', '{"rotate": {"tan_half": "4*t - 2", '))
-    report = judge.ask("a longer turn", solid, path, prism_mesh(6, 5), "--within", "1/2")
+    """A prism inscribed, and one circumscribed."""
+    turned_by_half(judge, "circumscribed 6", 5 / math.cos(math.pi / 6), 6, "1/2")
+    turned_by_half(judge, "inscribed 16", 5, 16, "1")
+
+
+def turning_box_within_less(judge, _):
+    """To half the width, which takes five times as long; and the longer turn."""
+    turned_by_half(judge, "inscribed 16", 5, 16, "1/2")
+    turned_by_half(judge, "a longer turn", 5, 6, "1/2", HALF_TURN.replace('{"turn": {"quarters": 2, ', '{"rotate": {"tan_half": "4*t - 2", '))
+
+
+HALF_TURN = '{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"turn": {"quarters": 2, "axis": ["0", "0", "1"]}}}]}'
+
+
+def turned_by_half(judge, name, radius, n, within, motion=HALF_TURN):
+    """The prism over an n-gon whose corners are at `radius`, beside the cylinder of radius 5."""
+    report = judge.ask(name, block(-3, -4, 0, 3, 4, 1), judge.graze.write("turn.json", motion), prism_mesh(n, radius), "--within", within)
+    deepest = radius - radius * math.cos(math.pi / n)
+    beyond = radius - 5
     if report:
-        judge.holds("a longer turn", report, (0, 0.5, sagitta), 25 * math.pi, 1 / 2)
+        truth = (beyond, 0, min(deepest, 0.5)) if beyond else (0, min(deepest, 0.5), deepest)
+        judge.holds(name, report, truth, 25 * math.pi, F(within))
 
 
 def hull(points):
@@ -507,6 +514,8 @@ def main():
         for part in parts:
             part(judge, checks)
     scenes_of_hulls(judge, args)
+    if args.to_the_end:
+        turning_box_within_less(judge, checks)
     for law in args.once([] if args.sanitizers else [jobs, laws], "laws"):
         law(judge, checks)
     checks.finish()

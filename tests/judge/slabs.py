@@ -17,6 +17,7 @@ from motion import legs  # noqa: E402
 from solids import prism  # noqa: E402
 
 SHARE = 0.04  # of the volume
+SHARE_OF_ANY = 0.12  # of boxes of any shape
 WITHIN = ("--within", "3e-2r")
 QUARTER = '{"dimension": 3, "pieces": [{"t": [0, 1], "transform": {"rotate": {"axis": [0, 0, 1], "tan_half": "t"}}}]}'
 
@@ -51,9 +52,9 @@ def area(points):
     return sum(p[0] * q[1] - p[1] * q[0] for p, q in zip(points, points[1:] + points[:1])) / 2
 
 
-def narrow(checks, name, report, volume):
+def narrow(checks, name, report, volume, share=SHARE):
     v = report["volume"]["sweep"]
-    checks.holds(v["high"] - v["low"] <= SHARE * volume, name, "width", v)
+    checks.holds(v["high"] - v["low"] <= share * volume, name, "width", v)
 
 
 def difference(checks, name, report, volume):
@@ -63,10 +64,10 @@ def difference(checks, name, report, volume):
     checks.holds(missing["low"] - excess["high"] <= true <= missing["high"] - excess["low"], name, "difference", true, missing, excess)
 
 
-def turned(judge, checks):
+def turned(judge, checks, dents):
     volume = volume_of_turn(F(1), F(2), F(1), F(1))
-    for n, dent in ((8, 0), (8, 0.25)):
-        points, name = outline(n, dent), f"turned, {n} chords, dent {dent}"
+    for dent in dents:
+        points, name = outline(8, dent), f"turned, 8 chords, dent {dent}"
         report = judge.ask(name, block(1, 0, 0, 2, 1, 1), Text(QUARTER), prism(points, 0, 1), *WITHIN)
         if not report:
             continue
@@ -89,7 +90,7 @@ def random_turns(judge, checks, args):
         report = judge.ask(name, block(a, 0, 0, b, d, h), Text(QUARTER), mesh, *WITHIN)
         if report:
             judge.holds(name, report, (None, None, None), volume)
-            narrow(checks, name, report, volume)
+            narrow(checks, name, report, volume, SHARE_OF_ANY)
             difference(checks, name, report, volume)
 
 
@@ -113,7 +114,9 @@ def main():
     checks = Checks()
     judge = Judge(args, checks)
     if args.derived:
-        turned(judge, checks)
+        turned(judge, checks, [0.25])
+    if args.to_the_end:
+        turned(judge, checks, [0])
     random_turns(judge, checks, args)
     random_legs(judge, checks, args)
     checks.finish()

@@ -80,6 +80,11 @@ class Options(argparse.Namespace):
         return self.scale - self.start
 
     @property
+    def to_the_end(self):
+        """Does the stream run to its end? Then costly checks are asked that say little beside cheaper ones of all calls."""
+        return self.scale >= 1
+
+    @property
     def ample(self):
         """Does enough of the stream run for totals that are seldom met?"""
         return self.share >= Fraction(3, 4)

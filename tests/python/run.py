@@ -4,7 +4,7 @@
 
 Each test_*.py here is a set of unittest cases. They run in an interpreter of their own: this one if
 it has numpy, else Debian's; where neither has, the tests with numpy are skipped and say so. Searches for planted bugs, which are
-random, are left to the rest of the stream (KIT of part.py).
+random (KIT of part.py), and the tests without numpy are left to the rest of the stream.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import os
@@ -32,9 +32,8 @@ def instrumented(library):
     return any(name in data for name in (b"__asan_init", b"__tsan_init", b"__ubsan_handle"))
 
 
-def part(checks, python, way, args, library):
+def part(checks, python, way, args, library, kit):
     """Count one run of the tests, whose output is passed on."""
-    kit = "alone" if not args.derived else "with" if args.ample else "without"
     environment = dict(os.environ, GRAZE_LIBRARY=library, PYTHONDONTWRITEBYTECODE="1")
     done = run([python, os.path.join(HERE, "part.py"), way, "--graze", args.graze, "--scale", max(1, int(args.scale)),
                 "--seed", args.seed, "--kit", kit], 1500, stderr=subprocess.STDOUT, env=environment)
@@ -48,12 +47,12 @@ def part(checks, python, way, args, library):
 
 
 
-def types(checks):
-    """`mypy --strict` has nothing to say."""
+def types(checks, cache):
+    """`mypy --strict` has nothing to say; what it has read stays in the build folder."""
     folder = os.path.join(HERE, "..", "..", "src", "python")
     for python in (sys.executable, "/usr/bin/python3"):
         if os.path.exists(python) and run([python, "-c", "import mypy"]).returncode == 0:
-            done = run([python, "-m", "mypy", "--strict", "--cache-dir", os.devnull, "graze"], 600, cwd=folder)
+            done = run([python, "-m", "mypy", "--strict", "--cache-dir", cache, "graze"], 600, cwd=folder)
             checks.holds(done.returncode == 0, "mypy --strict", done.stdout)
             return
     checks.skip("python, types", "no interpreter here has mypy")
@@ -68,11 +67,13 @@ def main():
     pythons = [python for python in (sys.executable, "/usr/bin/python3")
                if os.path.exists(python) and has_numpy(python)]
     if args.derived:
-        types(checks)
+        types(checks, os.path.join(os.path.dirname(library), "tests", "mypy"))
+    if args.to_the_end:  # the same tests again, in another world
         # The suites' Python is Debian's; another that stands before it in PATH is asked too.
-        part(checks, shutil.which("python3") or sys.executable, "without-numpy", args, library)
+        part(checks, shutil.which("python3") or sys.executable, "without-numpy", args, library, "with" if args.derived else "without")
     if pythons:
-        part(checks, pythons[0], "with-numpy", args, library)
+        part(checks, pythons[0], "with-numpy", args, library,
+             "alone" if not args.derived else "with" if args.ample else "without")
     else:
         checks.skip("python, with numpy", "no interpreter here has numpy")
     checks.finish()

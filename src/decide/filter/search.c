@@ -12,6 +12,9 @@ typedef struct searcher {
     const graze_solid *solid;
     early_end *early; /* NULL: all is to be found */
     int failed;       /* memory ran out, or there are too many spans */
+    uint32_t piece;   /* the piece of motion of the latest candidate */
+    size_t asked;     /* candidates of this piece; above `most`, it is given up */
+    size_t most;
 } searcher;
 
 static time_part part_of(const span *piece) {
@@ -95,6 +98,15 @@ static int take_crossing(searcher *s, const span *piece, uint32_t simplex, const
            findings_add_crossing(s->out, crossing_in(part_of(piece), simplex, at));
 }
 
+/* Keep a candidate. Where a piece has far more of them than the solid has simplices, as where
+ * rounding hides the solid, bounds tell nothing: all simplices are asked once instead. */
+static int take_candidate(searcher *s, candidate item) {
+    s->asked = item.piece == s->piece ? s->asked + 1 : 1;
+    s->piece = item.piece;
+    return s->asked > s->most ? findings_lose(s->out, item.piece)
+                              : candidates_append(&s->out->asked, item);
+}
+
 static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
     const span *piece = &s->curve->spans[span_index];
     uint32_t simplex = s->solid->boxes.node[node].simplex;
@@ -116,7 +128,7 @@ static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
     else if (found == MEET_CROSSING)
         kept = take_crossing(s, piece, simplex, &window);
     else if (found != MEET_NONE)
-        kept = candidates_append(&s->out->asked, candidate_in(part_of(piece), simplex, &window));
+        kept = take_candidate(s, candidate_in(part_of(piece), simplex, &window));
     s->failed |= !kept;
 }
 
@@ -129,6 +141,7 @@ static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
         if (piece->lost)
             s->failed |= !findings_lose(s->out, piece->piece);
         if (s->failed || (s->early && s->early->met) || piece->lost ||
+            (s->asked > s->most && piece->piece == s->piece) ||
             flip(FLIP_BOX, !span_meets(piece, &here->box)) || span_misses_slab(s, piece, here))
             return;
         /* For a single simplex, meet_leaf decides whether to cut. */
@@ -153,7 +166,7 @@ static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
 }
 
 int search_curve(findings *out, early_end *early, curve *c, const graze_solid *solid) {
-    searcher s = {out, c, solid, early, 0};
+    searcher s = {out, c, solid, early, 0, 0, 0, solid->boxes.node_count + 64};
     if (early)
         early->met = 0;
     out->crossing_count = out->asked.count = out->window_count = out->lost_count = 0;
