@@ -84,18 +84,30 @@ typedef enum graze_polygon_format {
     GRAZE_POLYGON_VTK = 3
 } graze_polygon_format;
 
+/** Sides of an outline on which a polygon is. */
+typedef enum graze_polygon_side {
+    GRAZE_POLYGON_NEAR = 0,   /**< on both sides */
+    GRAZE_POLYGON_INSIDE = 1, /**< the polygon is a subset of the set */
+    GRAZE_POLYGON_OUTSIDE = 2 /**< the set is a subset of the polygon */
+} graze_polygon_side;
+
 /**
- * The outline as valid polygons of doubles, one for each component of the interior, with its holes.
- * Each point of the outline is within a distance of their edges, and each point of an edge within
- * it of the outline; edges meet at points of the outline at which arcs do, alone.
+ * The outline as valid polygons of doubles. Near it: one for each component of the interior, with
+ * its holes; each point of the outline is within a distance of their edges, and each point of an
+ * edge within it of the outline; edges meet at points of the outline at which arcs do, alone.
+ * Inside or outside: no edge meets the outline or another one's inner points, each point of an edge
+ * is within the distance of the outline, and all points that are farther from it belong to the set
+ * and the polygons alike; what is thinner may be missing (outside: filled), so there may be none.
  * @param[out] out    text for graze_free
+ * @param[out] rings  the number of rings; NULL: not asked for
  * @param      within the distance, above 0
  * @return GRAZE_EUSE; GRAZE_ELIMIT limit `arcs`, or doubles are too far apart for such polygons;
  * GRAZE_ECANCELED, GRAZE_ESYSTEM
  */
-GRAZE_API GRAZE_CHECKED graze_status graze_outline_polygon(char **out, graze_context *context,
+GRAZE_API GRAZE_CHECKED graze_status graze_outline_polygon(char **out, size_t *rings,
+                                                           graze_context *context,
                                                            const graze_outline *outline,
-                                                           double within,
+                                                           double within, graze_polygon_side side,
                                                            graze_polygon_format format);
 
 #ifdef __cplusplus

@@ -67,14 +67,18 @@ OUTLINE_AS(json)
 OUTLINE_AS(csv)
 OUTLINE_AS(samples)
 
-graze_status graze_outline_polygon(char **out, graze_context *context, const graze_outline *outline,
-                                   double within, graze_polygon_format format) {
+graze_status graze_outline_polygon(char **out, size_t *rings, graze_context *context,
+                                   const graze_outline *outline, double within,
+                                   graze_polygon_side side, graze_polygon_format format) {
     PUBLIC_OUT(out, context, outline);
     REFUSED(format < GRAZE_POLYGON_WKT || format > GRAZE_POLYGON_VTK, "format is none of the enum");
+    REFUSED(side < GRAZE_POLYGON_NEAR || side > GRAZE_POLYGON_OUTSIDE, "side is none of the enum");
     REFUSED(!(within > 0 && isfinite(within)), "within must be above 0 and finite");
     HELD(text, t);
     ZEROED(outline_polygon, polygon);
-    TRY(outline_polygon_make(&polygon, outline, context, within));
+    TRY(outline_polygon_beside(&polygon, outline, context, within, side));
     outline_polygon_text(&t, &polygon, format);
+    if (rings)
+        *rings = polygon.ring_count;
     return text_finish(out, context, &t);
 }

@@ -26,9 +26,11 @@ static void outlines(bench *b) {
     WRONG(graze_outline_samples(NULL, c, NULL));
     WRONG_OUT(char, graze_outline_samples(&out, NULL, NULL));
     WRONG_OUT(char, graze_outline_samples(&out, c, NULL));
-    WRONG(graze_outline_polygon(NULL, c, NULL, 1, GRAZE_POLYGON_WKT));
-    WRONG_OUT(char, graze_outline_polygon(&out, NULL, NULL, 1, GRAZE_POLYGON_WKT));
-    WRONG_OUT(char, graze_outline_polygon(&out, c, NULL, 1, GRAZE_POLYGON_WKT));
+    WRONG(graze_outline_polygon(NULL, NULL, c, NULL, 1, GRAZE_POLYGON_NEAR, GRAZE_POLYGON_WKT));
+    WRONG_OUT(char, graze_outline_polygon(&out, NULL, NULL, NULL, 1, GRAZE_POLYGON_NEAR,
+                                          GRAZE_POLYGON_WKT));
+    WRONG_OUT(char,
+              graze_outline_polygon(&out, NULL, c, NULL, 1, GRAZE_POLYGON_NEAR, GRAZE_POLYGON_WKT));
     HARMLESS(graze_outline_destroy, CALLS(graze_outline_destroy(NULL)));
     HARMLESS(graze_outline_get, graze_outline_get(NULL).arcs == 0);
     HARMLESS(graze_outline_area, !graze_outline_area(b->half, NULL));

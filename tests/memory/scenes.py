@@ -214,6 +214,7 @@ def make(graze, folder):
     yield Scene("collide-error", ["collide", u, roll, u, "--motion-error", "1/64", "--clearance", "1/128"], 1)
     yield Scene("outline", ["outline", u, roll, "--operation", "unsweep", "--arcs", "a.csv", "--format", "json"], tables=("a.csv",))
     yield Scene("outline-polygon", ["outline", u, roll, "--polygon", "p.wkt", "--within", "1/8"], tables=("p.wkt",))
+    yield Scene("outline-beside", ["outline", u, roll, "--polygon", "p.wkt", "--within", "1/8", "--side", "inside"], tables=("p.wkt",))
     yield Scene("outline-samples", ["outline", u, plain_roll, "--samples", "s.csv", "--certify", "c.txt"], tables=("s.csv", "c.txt"))
     yield Scene("judge", ["judge", cube, turn, cube, "--within", "1r", "--count", "3", "--vertices", "v.csv"], tables=("v.csv",),
                 spared=NUMBERS)

@@ -70,6 +70,17 @@ class Outlines(unittest.TestCase):
         with self.assertRaises(graze.LimitError):
             graze.Scene(SQUARE, TURN).outline().polygon(1e-20)
 
+    def test_polygon_on_a_side(self):
+        """Of [0, 5] x [0, 4] without [2, 3] x [1, 3], which has the area 18: corners are strictly inside or outside both rings."""
+        outline = graze.Scene(FRAME, along("t", "0")).outline()
+        for side, sign in (("inside", 1), ("outside", -1)):
+            (shell, hole), = outline.to_geojson(0.25, side)["coordinates"]
+            self.assertTrue(0 < sign * (18 - area(shell[:-1]) - area(hole[:-1])) <= 2 * 0.25 * 24, side)
+            self.assertTrue(all((0 < x < 5 and 0 < y < 4) == (side == "inside") for x, y in shell), side)
+            self.assertTrue(all((2 < x < 3 and 1 < y < 3) == (side == "outside") for x, y in hole), side)
+        with self.assertRaises(graze.UseError):
+            outline.polygon(0.25, side="left")
+
     def test_polygon_of_a_turn(self):
         """Radii of the far corner's arc are sqrt 2; a chord within 10^-3 of it is no nearer to the centre."""
         shape = graze.Scene(SQUARE, TURN).outline().to_geojson(1e-3)

@@ -56,16 +56,15 @@ static size_t put_polygon_ring(text *t, const outline_polygon *p, size_t ring,
 
 /* Append each polygon: a ring, and its holes. In VTK all rings' points, then their numbers. */
 static void put_polygons(text *t, text *lines, const outline_polygon *p, const polygon_words *w) {
-    const graze_outline *o = p->o;
     size_t used = 0;
-    for (size_t r = 0; r < o->ring_count; r++) {
-        if (o->ring[r].hole)
+    for (size_t r = 0; r < p->ring_count; r++) {
+        if (p->within[r] != r)
             continue;
         text_put(t, used ? w->between : "");
         text_put(t, w->shell[0]);
         for (size_t pass = 0; pass < 2; pass++)
-            for (size_t h = 0; h < o->ring_count; h++) {
-                if (pass ? !o->ring[h].hole || o->ring[h].within != r : h != r)
+            for (size_t h = 0; h < p->ring_count; h++) {
+                if (p->within[h] != r || pass == (h == r))
                     continue;
                 text_put(t, pass ? w->between : "");
                 size_t end = used + put_polygon_ring(t, p, h, w);
@@ -94,7 +93,7 @@ static void put_frame(text *t, const outline_polygon *p) {
 }
 
 void outline_polygon_text(text *t, const outline_polygon *p, graze_polygon_format format) {
-    size_t rings = p->o->ring_count, points = p->count + rings;
+    size_t rings = p->ring_count, points = p->count + rings;
     HELD(text, lines);
     if (format == GRAZE_POLYGON_WKT && rings == 0) {
         text_put(t, "MULTIPOLYGON EMPTY\n");

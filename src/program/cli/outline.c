@@ -12,6 +12,7 @@ typedef struct outline_given {
     graze_comparison_format format;                     /* as in graze compare */
     const char *arcs, *polygon, *samples, *certificate; /* files; NULL: none */
     double within;
+    graze_polygon_side side;
 } outline_given;
 
 static const option_entry outline_table[] = {
@@ -21,6 +22,7 @@ static const option_entry outline_table[] = {
     FILE_WRITTEN("arcs", outline_given, arcs),
     FILE_WRITTEN("polygon", outline_given, polygon),
     OPTION("within", outline_given, within, value_motion_error),
+    OPTION("side", outline_given, side, value_side),
     FILE_WRITTEN("samples", outline_given, samples),
     FILE_WRITTEN("certify", outline_given, certificate),
     SCENE_OPTIONS(outline_given, scene),
@@ -40,6 +42,8 @@ static int polygon_format(const char *path) {
 static int check_polygon(const outline_given *o) {
     if (!o->polygon != (o->within == 0))
         return complain(EXIT_USAGE, "--polygon FILE and --within TOL: expected both or neither");
+    if (o->side && !o->polygon)
+        return complain(EXIT_USAGE, "--side goes with --polygon; see graze outline --help");
     if (o->polygon && polygon_format(o->polygon) == 4)
         return complain(EXIT_USAGE,
                         "--polygon %s: expected a name that ends in .wkt, .geojson, "
@@ -51,8 +55,15 @@ static int check_polygon(const outline_given *o) {
 static int write_outline_polygon(const outline_given *o, graze_context *context,
                                  const graze_outline *outline) {
     FREED(char, written, NULL);
+    size_t rings, all = graze_outline_get(outline).rings;
     graze_polygon_format format = (graze_polygon_format)polygon_format(o->polygon);
-    TRY(complain_of(graze_outline_polygon(&written, context, outline, o->within, format), context));
+    TRY(complain_of(
+        graze_outline_polygon(&written, &rings, context, outline, o->within, o->side, format),
+        context));
+    if (rings != all)
+        complain(EXIT_DONE, "note: %s: rings: %zu, of the outline: %zu; %s thinner than TOL",
+                 o->polygon, rings, all,
+                 o->side == GRAZE_POLYGON_INSIDE ? "left out is what is" : "filled is what is");
     return output_text(o->polygon, written);
 }
 

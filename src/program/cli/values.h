@@ -248,6 +248,7 @@ option_read value_folds;       /**< graze_folds */
 option_read value_columns;     /**< graze_columns */
 option_read value_sdf; /**< scene_options: the width of enclosures; relative if `r` follows it */
 option_read value_motion_error; /**< double: a positive number, rounded up */
+option_read value_side;         /**< graze_polygon_side */
 option_read value_operation;    /**< graze_operation */
 option_read value_count;        /**< unsigned long from 1 up */
 option_read value_seed;         /**< seed_value */

@@ -83,27 +83,28 @@ class Outline:
     def __getstate__(self) -> Dict[str, Any]:
         return {**self.__dict__, "_scene": None, "_handle": None}
 
-    def _text(self, function: Callable[..., int], *more: Any) -> str:
-        """The text that a function of the library makes of the outline."""
+    def _text(self, function: Callable[..., int], *more: Any, also: Tuple[Any, ...] = ()) -> str:
+        """The text that a function of the library makes of the outline; `also`: its further outputs."""
         if not self._scene or not self._handle:
             raise UseError("an outline that was copied or pickled has its numbers alone; expected the one of Scene.outline")
         context, text = self._scene._context(), ctypes.c_void_p()
-        context.run(function, ctypes.byref(text), context.pointer, self._handle.pointer, *more)
+        context.run(function, ctypes.byref(text), *also, context.pointer, self._handle.pointer, *more)
         return take_text(text)
 
-    def polygon(self, within: float, form: str = "wkt") -> str:
+    def polygon(self, within: float, form: str = "wkt", side: str = "near") -> str:
         """Valid polygons of doubles, as `graze outline --polygon` writes them: `wkt`, `geojson`, `svg` or `vtk`. Each point of
-        the outline is within `within` of their edges, and each point of an edge of the outline.
+        an edge is within `within` of the outline. With the side `inside` the polygon is a subset of the set, with `outside` it
+        contains the set; with `near` it is on both sides, and each point of the outline is within `within` of the edges.
 
         Raises:
-            UseError: the form, or a distance that is not above 0; LimitError: doubles are too far apart for such polygons.
+            UseError: the form, the side, or a distance that is not above 0; LimitError: doubles are too far apart for such polygons.
         """
-        number = choice("form", form, "graze_polygon_format")
-        return self._text(library().graze_outline_polygon, within, number)
+        numbers = choice("side", side, "graze_polygon_side"), choice("form", form, "graze_polygon_format")
+        return self._text(library().graze_outline_polygon, within, *numbers, also=(None,))
 
-    def to_geojson(self, within: float) -> Dict[str, Any]:
+    def to_geojson(self, within: float, side: str = "near") -> Dict[str, Any]:
         """These polygons as a geometry of GeoJSON: a dict of `type` and `coordinates`. Raises as `polygon`."""
-        shape: Dict[str, Any] = json.loads(self.polygon(within, "geojson"))
+        shape: Dict[str, Any] = json.loads(self.polygon(within, "geojson", side))
         return shape
 
     def samples(self) -> List[OutlineSample]:
@@ -117,12 +118,12 @@ class Outline:
         arcs = [_along(arc, self.record["vertices"], points) for arc in self.record["arcs"]]
         return [Ring([p for k in ring["arcs"] for p in arcs[k]], ring["hole"], ring["within"]) for ring in self.record["rings"]]
 
-    def to_shapely(self, points: int = 32, within: Optional[float] = None) -> Any:
+    def to_shapely(self, points: int = 32, within: Optional[float] = None, side: str = "near") -> Any:
         """A MultiPolygon of shapely, which must be installed: one polygon for each component of the interior. With `within` those
-        of `polygon`, near the outline by proof; else of `rings`, without."""
+        of `polygon`, near the outline or on a side of it by proof; else of `rings`, without."""
         geometry = importlib.import_module("shapely.geometry")
         if within is not None:
-            return geometry.shape(self.to_geojson(within))
+            return geometry.shape(self.to_geojson(within, side))
         rings = self.rings(points)
         return geometry.MultiPolygon([geometry.Polygon(r.points, [h.points for h in rings if h.within == k]) for k, r in enumerate(rings) if not r.hole])
 

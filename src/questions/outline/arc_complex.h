@@ -82,4 +82,34 @@ graze_status outline_nesting(graze_outline *o, graze_context *context);
 /** Find isolated lower points (C143). */
 graze_status outline_spots(graze_outline *o, graze_context *context);
 
+/* Polygons (C145, C148). Corners are integers of at most 53 bits. */
+
+/** Begin a polygon with edges for all arcs, whose parts are within a distance of them. */
+graze_status polygon_parts(outline_polygon *p, const graze_outline *o, graze_context *context,
+                           double within);
+/** Make room for rings. */
+graze_status polygon_rings(outline_polygon *p, size_t count);
+/** Append an edge. */
+graze_status polygon_edge_add(outline_polygon *p, size_t arc, size_t node);
+/** Let an edge begin at a point, rounded. GRAZE_ELIMIT: that has more than 53 bits. */
+graze_status polygon_edge_start(const outline_polygon *p, size_t edge, const fmpq *point);
+/** The turn from q to r about p: 1 to the left, -1 to the right. */
+int polygon_turn(const slong *p, const slong *q, const slong *r);
+/** Have two edges, whose boxes meet, more in common than one node? */
+int polygon_edges_meet(const outline_polygon *p, const polygon_edge *e, const polygon_edge *f);
+/** Visit pairs of edges whose boxes meet: of p, or if there is a q of p and q, whose boxes are
+ * larger by `more` on all sides then. */
+typedef graze_status polygon_visit(void *state, size_t first, size_t second);
+graze_status polygon_pairs(const outline_polygon *p, const outline_polygon *q, slong more,
+                           polygon_visit *visit, void *state);
+/** Mark edges that have more in common with another one than one node; *clear becomes 0 if there
+ * are any. */
+graze_status polygon_meetings(int *clear, outline_polygon *p);
+/** Find the ring around each hole. */
+graze_status polygon_nest(outline_polygon *p);
+/** How often a ring goes around the half of x, without the edge `but`. */
+int polygon_winding(const outline_polygon *p, size_t first, const slong *x, size_t but);
+/** Is the middle of an edge within ring s, which does not pass it? */
+int polygon_ring_has(const outline_polygon *p, size_t s, size_t edge);
+
 #endif

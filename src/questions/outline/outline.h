@@ -159,14 +159,14 @@ typedef struct polygon_edge {
     int curved, fine, split;
 } polygon_edge;
 
-/** The rings of an outline as polylines: ring r begins with edge first[r]. `distance`: in units, of
- * an arc from its edges. */
+/** Rings as polylines: ring r begins with edge first[r]; within[r] is the ring around a hole, else
+ * r. `distance`: in units, of an arc from its edges. */
 typedef struct outline_polygon {
     const graze_outline *o;
     graze_context *context;
     ulong places;
     double distance;
-    size_t count, capacity, *first;
+    size_t count, capacity, ring_count, *first, *within;
     polygon_edge *edge;
 } outline_polygon;
 
@@ -194,6 +194,10 @@ void outline_bounds(double *low, double *high, const graze_outline *o, const out
  */
 graze_status outline_polygon_make(outline_polygon *out, const graze_outline *o,
                                   graze_context *context, double within);
+/** Make simple rings on one side of the outline, whose edges are within a distance of it (C148), as
+ * outline_polygon_make does. */
+graze_status outline_polygon_beside(outline_polygon *out, const graze_outline *o,
+                                    graze_context *context, double within, graze_polygon_side side);
 void outline_polygon_clear(outline_polygon *p);
 /** The number of lower arcs: pieces between cuts. */
 size_t outline_lower_count(const graze_outline *o);

@@ -9,8 +9,6 @@
 #include "base/context/scope.h"
 #include "questions/outline/arc_complex.h"
 
-__extension__ typedef __int128 wide;
-
 /* Binary places of parameters beyond those of coordinates. */
 enum { WHERE_PLACES = 128 };
 
@@ -19,6 +17,7 @@ void outline_polygon_clear(outline_polygon *p) {
         dyadic_interval_clear(&p->edge[k].where);
     free(p->edge);
     free(p->first);
+    free(p->within);
 }
 
 static graze_status too_near(graze_context *context) {
@@ -27,8 +26,7 @@ static graze_status too_near(graze_context *context) {
                         "meet where arcs do not");
 }
 
-/* Let an edge begin at a point, rounded. */
-static graze_status set_start(const outline_polygon *p, size_t edge, const fmpq *point) {
+graze_status polygon_edge_start(const outline_polygon *p, size_t edge, const fmpq *point) {
     LOCAL(fmpq, x);
     LOCAL(fmpz, nearest);
     for (int k = 0; k < 2; k++) {
@@ -43,8 +41,7 @@ static graze_status set_start(const outline_polygon *p, size_t edge, const fmpq 
     return GRAZE_OK;
 }
 
-/* Append an edge for a part of an arc. */
-static graze_status add_polygon_edge(outline_polygon *p, size_t arc, size_t node) {
+graze_status polygon_edge_add(outline_polygon *p, size_t arc, size_t node) {
     if (p->count >= p->context->limits[GRAZE_LIMIT_ARCS])
         return context_limit(p->context, GRAZE_LIMIT_ARCS, "the edges of a polygon");
     TRY(array_grow(p->context, &p->edge, &p->capacity, p->count + 1, sizeof *p->edge,
@@ -66,9 +63,9 @@ static graze_status begin_arc(outline_polygon *p, size_t arc) {
     size_t k = p->count, from = p->o->arc[arc].from;
     const outline_point *start = &p->o->point[from];
     outline_curve *c = &p->o->curve[start->curve];
-    TRY(add_polygon_edge(p, arc, from));
+    TRY(polygon_edge_add(p, arc, from));
     TRY(outline_curve_corners(corner, p->context, c, c->cut[start->cut], p->places + 8));
-    TRY(set_start(p, k, corner));
+    TRY(polygon_edge_start(p, k, corner));
     polygon_edge *e = &p->edge[k];
     e->curved = !outline_is_straight(p->o, &p->o->curve[piece_of(p, e)->curve]);
     outline_arc_ends(end, p->o, &p->o->arc[arc]);
@@ -86,7 +83,7 @@ static graze_status halve_edge(outline_polygon *p, size_t k) {
     LOCAL_VEC(fmpq, point, 2);
     LOCAL(fmpq, s);
     const outline_piece *piece = piece_of(p, &p->edge[k]);
-    TRY(add_polygon_edge(p, p->edge[k].arc, p->o->point_count + p->count));
+    TRY(polygon_edge_add(p, p->edge[k].arc, p->o->point_count + p->count));
     polygon_edge *e = &p->edge[k], *half = &p->edge[p->count - 1];
     fmpz_sub(fmpq_numref(s), e->where.high, e->where.low);
     if (!e->curved || fmpz_bits(fmpq_numref(s)) + p->places + WHERE_PLACES < e->where.exponent + 8)
@@ -100,7 +97,7 @@ static graze_status halve_edge(outline_polygon *p, size_t k) {
     half->next = e->next;
     e->next = p->count - 1;
     e->split = e->fine = 0;
-    return set_start(p, p->count - 1, point);
+    return polygon_edge_start(p, p->count - 1, point);
 }
 
 /* Is each control point of the part within the distance of the edge's point with its number? All of
@@ -136,21 +133,16 @@ static int is_fine(const outline_polygon *p, const polygon_edge *e) {
     return 1;
 }
 
-static int turn_of(const slong *p, const slong *q, const slong *r) {
+int polygon_turn(const slong *p, const slong *q, const slong *r) {
+    __extension__ typedef __int128 wide;
     wide left = (wide)(q[0] - p[0]) * (r[1] - p[1]), right = (wide)(q[1] - p[1]) * (r[0] - p[0]);
     return (left > right) - (left < right);
 }
 
-/* Have two edges more in common than one node? */
-static int polygon_edges_meet(const outline_polygon *p, const polygon_edge *e,
-                              const polygon_edge *f) {
+int polygon_edges_meet(const outline_polygon *p, const polygon_edge *e, const polygon_edge *f) {
     const polygon_edge *x[2] = {e, &p->edge[e->next]}, *y[2] = {f, &p->edge[f->next]};
     const slong *a = x[0]->at, *b = x[1]->at, *c = y[0]->at, *d = y[1]->at;
     int shared = 0, overlap = 0, ahead = 0;
-    for (int i = 0; i < 2; i++)
-        if (FLINT_MIN(a[i], b[i]) > FLINT_MAX(c[i], d[i]) ||
-            FLINT_MAX(a[i], b[i]) < FLINT_MIN(c[i], d[i]))
-            return 0;
     for (int s = 0; s < 4; s++) {
         const slong *hub = x[s & 1]->at, *to = x[~s & 1]->at, *other = y[~s >> 1 & 1]->at;
         if (x[s & 1]->node != y[s >> 1]->node)
@@ -158,112 +150,160 @@ static int polygon_edges_meet(const outline_polygon *p, const polygon_edge *e,
         shared++;
         for (int i = 0; i < 2; i++)
             ahead |= (to[i] > hub[i] && other[i] > hub[i]) || (to[i] < hub[i] && other[i] < hub[i]);
-        overlap = ahead && turn_of(hub, to, other) == 0;
+        overlap = ahead && polygon_turn(hub, to, other) == 0;
     }
     return shared ? shared > 1 || overlap
-                  : turn_of(a, b, c) * turn_of(a, b, d) <= 0 &&
-                        turn_of(c, d, a) * turn_of(c, d, b) <= 0;
+                  : polygon_turn(a, b, c) * polygon_turn(a, b, d) <= 0 &&
+                        polygon_turn(c, d, a) * polygon_turn(c, d, b) <= 0;
 }
 
-/* An edge, by its least x. */
-typedef struct sorted_edge {
-    slong low;
+/* The box of an edge. */
+typedef struct edge_box {
+    slong low[2], high[2];
     size_t edge;
-} sorted_edge;
+    int second;
+} edge_box;
 
-static int compare_polygon_edges(const void *left, const void *right) {
-    const sorted_edge *a = left, *b = right;
-    return a->low != b->low ? (a->low < b->low ? -1 : 1)
-                            : (a->edge > b->edge) - (a->edge < b->edge);
+static int compare_edge_boxes(const void *left, const void *right) {
+    const edge_box *a = left, *b = right;
+    return a->low[0] != b->low[0] ? (a->low[0] < b->low[0] ? -1 : 1)
+                                  : (a->edge > b->edge) - (a->edge < b->edge);
 }
 
-/* Mark the edges to halve: those that meet others. */
-static graze_status find_meetings(int *clear, outline_polygon *p) {
-    FREED(sorted_edge, sorted, malloc((p->count + 1) * sizeof *sorted));
+static void put_edge_boxes(edge_box *out, const outline_polygon *p, slong more, int second) {
+    for (size_t k = 0; k < p->count; k++) {
+        const slong *a = p->edge[k].at, *b = p->edge[p->edge[k].next].at;
+        out[k] = (edge_box){.edge = k, .second = second};
+        for (int i = 0; i < 2; i++) {
+            out[k].low[i] = FLINT_MIN(a[i], b[i]) - more;
+            out[k].high[i] = FLINT_MAX(a[i], b[i]) + more;
+        }
+    }
+}
+
+graze_status polygon_pairs(const outline_polygon *p, const outline_polygon *q, slong more,
+                           polygon_visit *visit, void *state) {
+    size_t count = p->count + (q ? q->count : 0);
+    FREED(edge_box, sorted, malloc((count + 1) * sizeof *sorted));
     if (!sorted)
         return context_fail(p->context, GRAZE_ESYSTEM, "out of memory for a polygon");
-    for (size_t k = 0; k < p->count; k++)
-        sorted[k] = (sorted_edge){FLINT_MIN(p->edge[k].at[0], p->edge[p->edge[k].next].at[0]), k};
-    qsort(sorted, p->count, sizeof *sorted, compare_polygon_edges);
-    for (size_t i = 0; i < p->count; i++) {
-        polygon_edge *e = &p->edge[sorted[i].edge];
-        const polygon_edge *end = &p->edge[e->next];
-        e->split |= e->at[0] == end->at[0] && e->at[1] == end->at[1];
-        for (size_t j = i + 1; j < p->count; j++) {
-            polygon_edge *f = &p->edge[sorted[j].edge];
-            if (sorted[j].low > FLINT_MAX(e->at[0], end->at[0]))
-                break;
-            if (!polygon_edges_meet(p, e, f))
-                continue;
-            f->split |= f->curved;
-            e->split |= e->curved || !f->curved;
-        }
-        *clear = *clear && !e->split;
+    put_edge_boxes(sorted, p, 0, 0);
+    if (q)
+        put_edge_boxes(sorted + p->count, q, more, 1);
+    qsort(sorted, count, sizeof *sorted, compare_edge_boxes);
+    for (size_t i = 0; i < count; i++) {
+        const edge_box *a = sorted + i;
+        for (const edge_box *b = a + 1; b < sorted + count && b->low[0] <= a->high[0]; b++)
+            if (a->low[1] <= b->high[1] && b->low[1] <= a->high[1] &&
+                (!q || a->second != b->second))
+                TRY(visit(state, a->second ? b->edge : a->edge, a->second ? a->edge : b->edge));
         TRY(context_work(p->context, 1000));
     }
     return GRAZE_OK;
 }
 
-/* Is the middle of an edge within ring s, which does not pass it? */
-static int ring_has(const outline_polygon *p, size_t s, size_t edge) {
-    size_t first = p->first[s], k = first;
-    const polygon_edge *from = &p->edge[edge], *to = &p->edge[from->next];
-    const slong x[2] = {from->at[0] + to->at[0], from->at[1] + to->at[1]};
-    int inside = 0;
-    do {
-        const slong *a = p->edge[k].at, *b = p->edge[k = p->edge[k].next].at;
-        const slong twice[2][2] = {{2 * a[0], 2 * a[1]}, {2 * b[0], 2 * b[1]}};
-        if ((twice[0][1] > x[1]) != (twice[1][1] > x[1]))
-            inside ^= turn_of(twice[0], twice[1], x) == (b[1] > a[1] ? 1 : -1);
-    } while (k != first);
-    return inside;
+/* Mark the edges to halve of two that meet. */
+static graze_status mark_meeting(void *state, size_t first, size_t second) {
+    outline_polygon *p = state;
+    polygon_edge *e = &p->edge[first], *f = &p->edge[second];
+    if (!polygon_edges_meet(p, e, f))
+        return GRAZE_OK;
+    f->split |= f->curved;
+    e->split |= e->curved || !f->curved;
+    return GRAZE_OK;
 }
 
-/* Count the rings around ring r, and mark them. Where it passes corners of other rings, each of its
- * parts between these must be within the same rings: else it crosses one there. */
-static graze_status find_rings_around(int *out, size_t *depth, char *around,
-                                      const outline_polygon *p, size_t r, const size_t *rings_at) {
-    const size_t *arc = p->o->ring_arc + p->o->ring[r].first;
-    for (size_t i = 0; i < p->o->ring[r].count; i++)
-        for (size_t s = 0; s < p->o->ring_count && (i == 0 || rings_at[p->o->arc[arc[i]].from] > 1);
-             s++) {
-            char within = s != r && ring_has(p, s, arc[i]);
-            *depth += i == 0 && within;
-            *out = *out && (i == 0 || within == around[s]);
-            around[s] = within;
-            TRY(context_work(p->context, 1000));
+graze_status polygon_meetings(int *clear, outline_polygon *p) {
+    TRY(polygon_pairs(p, NULL, 0, mark_meeting, p));
+    for (size_t k = 0; k < p->count; k++) {
+        polygon_edge *e = &p->edge[k];
+        const slong *end = p->edge[e->next].at;
+        e->split |= e->at[0] == end[0] && e->at[1] == end[1];
+        *clear = *clear && !e->split;
+    }
+    return GRAZE_OK;
+}
+
+int polygon_winding(const outline_polygon *p, size_t first, const slong *x, size_t but) {
+    size_t k = first;
+    int around = 0;
+    do {
+        size_t edge = k;
+        const slong *a = p->edge[k].at, *b = p->edge[k = p->edge[k].next].at;
+        const slong twice[2][2] = {{2 * a[0], 2 * a[1]}, {2 * b[0], 2 * b[1]}};
+        int up = b[1] > a[1] ? 1 : -1;
+        if (edge != but && (twice[0][1] > x[1]) != (twice[1][1] > x[1]))
+            around += polygon_turn(twice[0], twice[1], x) == up ? up : 0;
+    } while (k != first);
+    return around;
+}
+
+int polygon_ring_has(const outline_polygon *p, size_t s, size_t edge) {
+    const polygon_edge *from = &p->edge[edge], *to = &p->edge[from->next];
+    const slong x[2] = {from->at[0] + to->at[0], from->at[1] + to->at[1]};
+    return polygon_winding(p, p->first[s], x, p->count) & 1;
+}
+
+graze_status polygon_nest(outline_polygon *p) {
+    FREED(size_t, depth, calloc(p->ring_count + 1, sizeof *depth));
+    if (!depth)
+        return context_fail(p->context, GRAZE_ESYSTEM, "out of memory for a polygon");
+    for (int pass = 0; pass < 2; pass++)
+        for (size_t r = 0; r < p->ring_count; r++) {
+            p->within[r] = r;
+            for (size_t s = 0; s < p->ring_count; s++) {
+                if (s == r || (pass && (depth[r] % 2 == 0 || depth[s] + 1 != depth[r])) ||
+                    !polygon_ring_has(p, s, p->first[r]))
+                    continue;
+                p->within[r] = pass ? s : r;
+                depth[r] += !pass;
+            }
+            TRY(context_work(p->context, 1000 * p->ring_count));
         }
     return GRAZE_OK;
 }
 
 /* Are holes in their own rings, with no ring between, and other rings in holes alone, and does no
- * ring cross another at a corner? */
-static graze_status check_nesting(int *out, const outline_polygon *p) {
+ * ring cross another at a corner? Where a ring passes corners of others, each of its parts between
+ * these must be within the same rings. */
+static graze_status check_nesting(int *out, outline_polygon *p) {
     const graze_outline *o = p->o;
-    FREED(size_t, depth, calloc(o->ring_count + 1, sizeof *depth));
     FREED(size_t, rings_at, calloc(o->point_count + 1, sizeof *rings_at));
-    FREED(char, around, calloc(o->ring_count + 1, 2));
-    if (!depth || !rings_at || !around)
+    FREED(char, around, calloc(o->ring_count + 1, 1));
+    if (!rings_at || !around)
         return context_fail(p->context, GRAZE_ESYSTEM, "out of memory for a polygon");
-    char *in_own = around + o->ring_count;
     for (size_t k = 0; k < o->arc_count; k++)
         rings_at[o->arc[k].from]++;
-    for (size_t r = 0; r < o->ring_count; r++) {
-        TRY(find_rings_around(out, &depth[r], around, p, r, rings_at));
-        in_own[r] = around[o->ring[r].within];
-    }
     for (size_t r = 0; r < o->ring_count; r++)
-        *out = *out && (o->ring[r].hole ? depth[r] == depth[o->ring[r].within] + 1 && in_own[r]
-                                        : depth[r] % 2 == 0);
+        for (size_t i = 0; i < o->ring[r].count; i++) {
+            size_t arc = o->ring_arc[o->ring[r].first + i];
+            for (size_t s = 0; s < o->ring_count && (i == 0 || rings_at[o->arc[arc].from] > 1);
+                 s++) {
+                char within = s != r && polygon_ring_has(p, s, arc);
+                *out = *out && (i == 0 || within == around[s]);
+                around[s] = within;
+                TRY(context_work(p->context, 1000));
+            }
+        }
+    TRY(polygon_nest(p));
+    for (size_t r = 0; r < o->ring_count; r++)
+        *out = *out && p->within[r] == (o->ring[r].hole ? o->ring[r].within : r);
     return GRAZE_OK;
+}
+
+graze_status polygon_rings(outline_polygon *p, size_t count) {
+    p->ring_count = count;
+    p->first = calloc(count + 1, sizeof *p->first);
+    p->within = calloc(count + 1, sizeof *p->within);
+    return p->first && p->within
+               ? GRAZE_OK
+               : context_fail(p->context, GRAZE_ESYSTEM, "out of memory for a polygon");
 }
 
 /* Begin with an edge for each arc, joined to rings. */
 static graze_status begin_rings(outline_polygon *p) {
     const graze_outline *o = p->o;
-    p->first = calloc(o->ring_count + 1, sizeof *p->first);
-    if (!p->first)
-        return context_fail(p->context, GRAZE_ESYSTEM, "out of memory for a polygon");
+    TRY(polygon_rings(p, o->ring_count));
     for (size_t k = 0; k < o->arc_count; k++)
         TRY(begin_arc(p, k));
     for (size_t r = 0; r < o->ring_count; r++) {
@@ -275,26 +315,39 @@ static graze_status begin_rings(outline_polygon *p) {
     return GRAZE_OK;
 }
 
-graze_status outline_polygon_make(outline_polygon *p, const graze_outline *o,
-                                  graze_context *context, double within) {
-    int exponent = outline_exponent(o), done = 0;
+/* Halve edges that are marked, or not near their parts. */
+static graze_status refine_edges(outline_polygon *p) {
+    for (size_t k = 0; k < p->count; k++)
+        while (p->edge[k].split ||
+               (p->edge[k].curved && !p->edge[k].fine && !is_fine(p, &p->edge[k])))
+            TRY(halve_edge(p, k));
+    for (size_t k = 0; k < p->count; k++)
+        p->edge[k].fine = 1;
+    return GRAZE_OK;
+}
+
+graze_status polygon_parts(outline_polygon *p, const graze_outline *o, graze_context *context,
+                           double within) {
+    int exponent = outline_exponent(o);
     *p =
         (outline_polygon){.o = o, .context = context, .places = (ulong)FLINT_MAX(52 - exponent, 0)};
     p->distance = fmin(ldexp(within, (int)p->places), 1e18);
     if (p->distance < 1 || exponent > 52)
         return too_near(context);
     TRY(begin_rings(p));
+    return refine_edges(p);
+}
+
+graze_status outline_polygon_make(outline_polygon *p, const graze_outline *o,
+                                  graze_context *context, double within) {
+    int done = 0;
+    TRY(polygon_parts(p, o, context, within));
     for (size_t before = 0; !done; before = p->count) {
-        for (size_t k = 0; k < p->count; k++)
-            while (p->edge[k].split ||
-                   (p->edge[k].curved && !p->edge[k].fine && !is_fine(p, &p->edge[k])))
-                TRY(halve_edge(p, k));
-        for (size_t k = 0; k < p->count; k++)
-            p->edge[k].fine = 1;
+        TRY(refine_edges(p));
         if (p->count && p->count == before)
             return too_near(context);
         done = 1;
-        TRY(find_meetings(&done, p));
+        TRY(polygon_meetings(&done, p));
         if (!done)
             continue;
         TRY(check_nesting(&done, p));
