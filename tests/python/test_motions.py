@@ -411,7 +411,7 @@ for ending in ("png", "pdf", "svg"):
         with tempfile.TemporaryDirectory() as folder:
             solid, motion, bare, proof, checker, path = (os.path.join(folder, name) for name in ("s.wkt", "m.json", "p.csv", "c.txt", "k.html", "page.html"))
             for name, text in ((solid, b"POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))\r\n"), (motion, json.dumps(common.moved("t", "0")).encode()),
-                               (bare, b"x,y\n1,1/2\n9,9\n2,1\n"), (checker, b"<title>graze-check</title>\xff\x00<")):
+                               (bare, b"x,y,id,stratum\n1,1/2,a,s\n9,9,b,s\n2,1,c,s\n"), (checker, b"<title>graze-check</title>\xff\x00<")):
                 with open(name, "wb") as file:
                     file.write(text)
             scene = graze.Scene(pathlib.Path(solid), motion)
@@ -421,7 +421,7 @@ for ending in ("png", "pdf", "svg"):
             for more in ({}, {"checker": pathlib.Path(checker)}):
                 words = [word for name, file in more.items() for word in ("--" + name, str(file))]
                 program("draw", solid, motion, bare, "--title", "T", "--surface", "none", "--certificate", proof, *words, "-o", path)
-                page = scene.page(rows, names=[""] * len(rows), title="T", surface=None, certificate=proof, **more)
+                page = scene.page(rows, names="abc", strata="sss", title="T", surface=None, certificate=proof, **more)
                 with open(path, encoding="utf-8") as file:
                     self.assertEqual(page.html, file.read())
                 self.assertEqual((page.html.count(held), '"checker":' in page.html), (1, bool(more)))
