@@ -13,6 +13,7 @@ import concurrent.futures
 import functools
 import hashlib
 import os
+import signal
 import subprocess
 import sys
 import threading
@@ -70,11 +71,21 @@ class Failure(Exception):
     """A program ended with another status than 0; the message has its own words."""
 
 
+RUNNING = set()  # programs that threads wait for; they end with this one, whose signal they need not get
+ENDED = threading.Event()
+
+
 def run(*command):
-    done = subprocess.run(command, check=False, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    if done.returncode:
-        said = done.stdout.strip().splitlines() or [""]
-        raise Failure(f"{os.path.basename(command[0])} {os.path.basename(command[1])}, status {done.returncode}: {said[-1]}")
+    with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as started:
+        RUNNING.add(started)
+        if ENDED.is_set():
+            started.terminate()
+        try:
+            said = started.communicate()[0].strip().splitlines() or [""]
+        finally:
+            RUNNING.discard(started)
+    if started.returncode:
+        raise Failure(f"{os.path.basename(command[0])} {os.path.basename(command[1])}, status {started.returncode}: {said[-1]}")
 
 
 class Progress:
@@ -177,7 +188,11 @@ def make_all(options, names, listed):
                 wrong += not good
                 progress.finish(name, f"{name}: {said}")
         except KeyboardInterrupt:
+            signal.signal(signal.SIGTERM, signal.SIG_IGN)
             pool.shutdown(wait=False, cancel_futures=True)
+            ENDED.set()
+            for started in list(RUNNING):
+                started.terminate()
             raise
     if options.record:
         write_hashes(options.hashes, {**known, **found})
@@ -212,6 +227,7 @@ def main():
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         sys.exit(main())
     except (BadInput, OSError) as error:

@@ -4,8 +4,8 @@
     python3 cases/contacts/golden.py --graze build/graze OUT [--count N] [--record]
 
 Makes OUT/pairs.csv with its solids and motions, asks `graze collide --list` about them, and writes OUT/golden.csv and
-OUT/golden.jsonl, in the order of the pairs. Families that are whole are not asked again, so that a run that was ended is
-continued. Each family's answers are hashed and compared with hashes.txt, of its first ten pairs too; --record writes it
+OUT/golden.jsonl, in the order of the pairs. Pairs are not made again, and families that are whole not asked again, so that a run
+that was ended is continued, unless program or makers have changed. Each family's answers are hashed and compared with hashes.txt, of its first ten pairs too; --record writes it
 instead. Exit status 1: a hash differs, or an answer is not the known one.
 SPDX-License-Identifier: CC0-1.0
 """
@@ -14,6 +14,7 @@ import csv
 import hashlib
 import json
 import os
+import signal
 import subprocess
 import sys
 
@@ -32,7 +33,7 @@ def read_pairs(out):
 
 def ask(graze, path):
     """The answers about the pairs of a list: the text of a JSON object on one line for each."""
-    done = subprocess.run([graze, "collide", "--list", path, "--format", "jsonl", "--quiet"], check=False, stdin=subprocess.DEVNULL,
+    done = subprocess.run([graze, "collide", "--list", path, "--format", "jsonl", "--quiet", "--jobs", str(os.cpu_count())], check=False, stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     if done.returncode not in (0, 1):
         raise SystemExit(f"{path}: graze collide, status {done.returncode}: {done.stderr.strip()}")
@@ -86,6 +87,26 @@ def write_hashes(known):
         file.writelines(f"{digest_of} {count} {family}\n" for (family, count), digest_of in sorted(known.items()))
 
 
+def make_pairs(options, families):
+    """The pairs, unless they are there; the answers go with what made them."""
+    made = hashlib.sha256()
+    for path in [options.graze, *(os.path.join(HERE, one) for one in ("pairs.py", "../benchmark/solids.py", "../benchmark/motions.py"))]:
+        with open(path, "rb") as file:
+            made.update(hashlib.sha256(file.read()).digest())
+    state, record = f"{options.count} {made.hexdigest()}\n", os.path.join(options.out, "made.txt")
+    if os.path.exists(record):
+        with open(record, encoding="ascii") as file:
+            if file.read() == state:
+                return
+        os.remove(record)
+    for family in families:
+        if os.path.exists(os.path.join(options.out, f"{family}.jsonl")):
+            os.remove(os.path.join(options.out, f"{family}.jsonl"))
+    pairs.write(options.out, options.count, families)
+    with open(record, "w", encoding="ascii") as file:
+        file.write(state)
+
+
 def lines_of(options, family, rows):
     """The answers about a family, from the file of an earlier run if that is whole."""
     path = os.path.join(options.out, f"{family}.jsonl")
@@ -110,7 +131,7 @@ def lines_of(options, family, rows):
 def answer(options, families):
     """All lines and rows, and what is wrong with them."""
     known, everything, wrong = read_hashes(), [], []
-    pairs.write(options.out, options.count, families)
+    make_pairs(options, families)
     table = read_pairs(options.out)
     for family in families:
         asked = [pair for pair in table if pair["family"] == family]
@@ -151,4 +172,8 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        main()
+    except KeyboardInterrupt:
+        sys.exit("golden.py: ended; the next run continues")

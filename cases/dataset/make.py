@@ -3,7 +3,7 @@
 
     python3 cases/dataset/make.py OUT [SCENE...]
 
-Scenes are those of cases/benchmark/golden.py, which is run first and continues a run that was ended; a scene or case that is
+Scenes are those of cases/benchmark/golden.py, pairs those of cases/contacts/golden.py, which are run first and continue a run that was ended; a scene or case that is
 packed and whose files are the same is not packed again. Files have no dates or names in them, so each machine writes the same
 bytes, but for the enclosures of distances (README.md). SPDX-License-Identifier: CC0-1.0
 """
@@ -15,14 +15,17 @@ import json
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
+import tarfile
 
 import metadata
 from tables import ROOT, Failure, array_bytes, describe, split_table
 
 CASES = os.path.join(ROOT, "cases")
-GOLDEN = os.path.join(CASES, "benchmark", "golden.py")
+GOLDEN, PAIRS = (os.path.join(CASES, one, "golden.py") for one in ("benchmark", "contacts"))
+FEW = 10  # pairs of a family beside scenes that are named, whose answers have hashes too
 STEP = "packed.txt"  # beside the folders: what each was packed of
 PROGRAM = ("make.py", "tables.py")
 
@@ -46,6 +49,28 @@ def packed(data):
     with gzip.GzipFile(filename="", mode="wb", compresslevel=9, fileobj=out, mtime=0) as file:
         file.write(data)
     return out.getvalue()
+
+
+def archive(folder, paths):
+    """A tar of files in a folder, without owners and dates."""
+    out = io.BytesIO()
+    with tarfile.open(fileobj=out, mode="w", format=tarfile.USTAR_FORMAT) as made:
+        for path in paths:
+            data, entry = read(path), tarfile.TarInfo(f"{folder}/{os.path.basename(path)}")
+            entry.size, entry.mode = len(data), 0o644
+            made.addfile(entry, io.BytesIO(data))
+    return out.getvalue()
+
+
+def step(*command):
+    """Status of a program of Python, which ends with this one, whose signal it need not get."""
+    with subprocess.Popen([sys.executable, *command]) as made:
+        try:
+            return made.wait()
+        except KeyboardInterrupt:
+            made.terminate()
+            made.wait()
+            raise
 
 
 def digest(paths):
@@ -130,18 +155,20 @@ class Packer:
         if done.returncode:
             raise Failure(f"{os.path.basename(words[0])}, status {done.returncode} in {folder}: {done.stdout.strip()[-300:]}")
 
-    def contacts(self):
-        """Pairs of bodies and the words of their contacts, where the tree has them."""
-        source = os.path.join(CASES, "contacts")
-        if not os.path.isdir(source):
-            return
-        paths = sorted(os.path.join(top, one) for top, _, names in os.walk(source) for one in names if not one.endswith((".py", ".pyc")))
+    def contacts(self, made):
+        """Pairs of solids with their first contacts; solids and motions in archives, since they are thousands of small files."""
+        own = [os.path.join(CASES, "contacts", one) for one in ("README.md", "hashes.txt")]
+        inside = {one: sorted(os.path.join(made, one, name) for name in os.listdir(os.path.join(made, one))) for one in ("solids", "motions")}
+        tables = [os.path.join(made, one) for one in ("pairs.csv", "golden.csv", "golden.jsonl")]
 
         def fill(path):
-            for one in paths:
-                large, target = os.path.basename(one).startswith("golden."), os.path.join(path, os.path.relpath(one, source))
-                write(target + ".gz" if large else target, packed(read(one)) if large else read(one))
-        self.folder("contacts", paths, fill)
+            for one in [*own, tables[0]]:
+                write(os.path.join(path, os.path.basename(one)), read(one))
+            for one in tables[1:]:
+                write(os.path.join(path, os.path.basename(one) + ".gz"), packed(read(one)))
+            for name, files in inside.items():
+                write(os.path.join(path, name + ".tar.gz"), packed(archive(name, files)))
+        self.folder("contacts", [*own, *tables, *inside["solids"], *inside["motions"]], fill)
 
     def joined(self, name, first, folders, table):
         """One table of all rows: `first` columns of each folder, and its own; columns that a table lacks are empty."""
@@ -184,15 +211,18 @@ def make(options):
     unknown = [one for one in scenes if one not in metadata.scene_words()]
     if unknown:
         raise Failure(f"{unknown[0]}: no scene of cases/benchmark; expected one of scenes.py --list")
-    if subprocess.run([sys.executable, GOLDEN, "--graze", options.graze, options.benchmark, *scenes], check=False).returncode:
+    if step(GOLDEN, "--graze", options.graze, options.benchmark, *scenes):
         raise Failure("the golden rows of the benchmark are not as they should be, see above")
+    pairs = os.path.join(os.path.dirname(options.benchmark), f"contacts-{FEW}" if options.scenes else "contacts")
+    if step(PAIRS, "--graze", options.graze, pairs, *(["--count", str(FEW)] if options.scenes else [])):
+        raise Failure("the first contacts are not as they should be, see above")
     cases = case_names()
     forget(options.out, {"scenes": scenes, "cases": cases})
     for name in scenes:
         packer.scene(name)
     for name in cases:
         packer.case(name)
-    packer.contacts()
+    packer.contacts(pairs)
     families = {name: json.loads(read(os.path.join(options.out, "scenes", name, "scene.json")))["family"] for name in scenes}
     packer.joined("benchmark.csv.gz", ["scene", "family"], [(f"scenes/{one}", [one, families[one]]) for one in scenes], "golden.csv.gz")
     packer.joined("cases.csv.gz", ["name", "options"], [(f"cases/{one}", [one, case_options(one)]) for one in cases], "expected.csv")
@@ -207,9 +237,9 @@ def make(options):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--graze", default=os.path.join(ROOT, "build", "graze"))
-    parser.add_argument("--benchmark", default=os.path.join(ROOT, "build", "benchmark"), help="where golden.py makes the scenes, or has made them")
+    parser.add_argument("--benchmark", default=os.path.join(ROOT, "build", "benchmark"), help="where golden.py makes the scenes, or has made them; pairs are made beside it")
     parser.add_argument("out", metavar="OUT")
-    parser.add_argument("scenes", metavar="SCENE", nargs="*", help="these scenes of the benchmark alone")
+    parser.add_argument("scenes", metavar="SCENE", nargs="*", help="these scenes of the benchmark alone, and few pairs")
     options = parser.parse_args()
     options.graze, options.out, options.benchmark = map(os.path.abspath, (options.graze, options.out, options.benchmark))
     try:
@@ -224,4 +254,5 @@ def main():
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     sys.exit(main())

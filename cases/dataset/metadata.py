@@ -19,14 +19,14 @@ AUTHORS = "The Graze authors"
 URL = "https://example.org/graze.git"
 TITLE = "Points classified exactly against swept solids"
 DESCRIPTION = ("Points in and around the sets that moving solids sweep, each with its exact answer: inside, on the boundary or outside, how often and in which "
-               "way the boundary meets it, an enclosure of its signed distance, and a certificate that proves the rows. Most points are hard by construction: "
+               "way the boundary meets it, an enclosure of its signed distance, and a certificate that proves the rows; and pairs of such solids with their exact first contacts. Most points are hard by construction: "
                "contacts with faces, edges and vertices, near misses, slides. Scenes are exact: solids of binary64 coordinates, piecewise rational motions.")
 CC0 = "https://creativecommons.org/publicdomain/zero/1.0/"
 KEYWORDS = ["swept volume", "point membership classification", "exact computation", "signed distance", "benchmark", "computational geometry"]
 # Files that describe the others; a package does not list itself.
 ABOUT = {"README.md", "LICENSE", "SHA256SUMS", "croissant.json", "datapackage.json"}
 MEDIA = {".csv": "text/csv", ".json": "application/json", ".npy": "application/octet-stream", ".off": "text/plain", ".wkt": "text/plain",
-         ".txt": "text/plain", ".md": "text/markdown", ".jsonl": "application/jsonl"}
+         ".txt": "text/plain", ".md": "text/markdown", ".jsonl": "application/jsonl", ".tar": "application/x-tar"}
 CROISSANT_TYPES = {"number": "sc:Float", "integer": "sc:Integer", "string": "sc:Text"}
 CONTEXT = {
     "@language": "en", "@vocab": "https://schema.org/", "sc": "https://schema.org/", "cr": "http://mlcommons.org/croissant/",
@@ -57,13 +57,19 @@ ORIGINS = [
     ("cases/*/golden.csv.gz", "the answers with the head of the table", "`graze classify`, which agrees with `expected.csv`"),
     ("cases/*/distances.csv", "signed distances in closed form", "derived by hand, in the case's README.md"),
     ("cases/*/README.md", "what the case shows, and the derivation of each row", "by hand"),
-    ("contacts/*", "pairs of bodies, a moving and a standing one, and the words of their contacts", "`cases/contacts` of the repository"),
+    ("contacts/pairs.csv", "pairs of solids, one of them moving, by the names of their files, and what is known of them", "`cases/contacts/pairs.py`"),
+    ("contacts/solids.tar.gz", "the solids of the pairs, OFF", "`cases/contacts/pairs.py`, in rational arithmetic; coordinates are binary64"),
+    ("contacts/motions.tar.gz", "the motions of the pairs, exactly", "`cases/contacts/pairs.py`"),
+    ("contacts/golden.csv.gz", "verdict, word, time and cells of the first contact of each pair", "of `golden.jsonl.gz`, beside what is known by construction"),
+    ("contacts/golden.jsonl.gz", "all contacts of each pair, one JSON object a line", "`graze collide --list pairs.csv --format jsonl`"),
+    ("contacts/README.md", "families of the pairs, and other programs judged by them", "by hand"),
+    ("contacts/hashes.txt", "SHA-256 of the answers about each family", "`cases/contacts/golden.py --record`"),
 ]
 README = """# {title}
 
 {description}
 
-Version {version}, {rows} rows of {scenes} scenes, {cases} golden cases with {case_rows} rows. Public domain, [CC0 1.0](LICENSE).
+Version {version}, {rows} rows of {scenes} scenes, {cases} golden cases with {case_rows} rows, first contacts of {pairs} pairs of solids. Public domain, [CC0 1.0](LICENSE).
 
 ## To load it
 
@@ -75,7 +81,7 @@ print(rows.groupby("family").pmc.value_counts())
 
 `columns.json` says what each column means. `numpy.load("scenes/NAME/golden.npy")` has one scene as a structured array, without a parser. The tables
 `golden.csv.gz` have a head of lines that begin with `#`: `pandas.read_csv(..., comment="#")`. Coordinates of the scenes are decimals that a binary64 holds
-exactly; those of golden cases may be ratios.
+exactly; those of golden cases may be ratios. In `contacts`, `tar -xzf solids.tar.gz` and `tar -xzf motions.tar.gz` lay the files where `pairs.csv` names them.
 
 ## Files
 
@@ -86,7 +92,7 @@ exactly; those of golden cases may be ratios.
 ## To verify it
 
 `sha256sum -c SHA256SUMS`. A certificate proves its rows without Graze: `zcat` the table and the certificate of a scene, then `graze-check solid.off motion.json certificate.txt golden.csv`.
-`make dataset` in the repository makes all of it again, in 1,000 seconds of CPU. All files are the same bytes on every machine but for four columns: `sdf_low`, `sdf_high`, `sdf_t` and `boundary_low`
+`make dataset` in the repository makes all of it again, in 1,400 seconds of CPU. All files are the same bytes on every machine but for four columns: `sdf_low`, `sdf_high`, `sdf_t` and `boundary_low`
 are proved bounds that come from floating-point code, and another compiler may find others. `hashes.txt` has the hashes of what is the same.
 `datapackage.json` (Frictionless) and `croissant.json` (MLCommons Croissant 1.0) name every file with size and SHA-256, and the columns of tables with their types.
 """
@@ -120,15 +126,15 @@ def listed(out):
 
 def fields_of(path, rows, names, described):
     """Schema of the columns of a table: name, type, description, values."""
-    is_pose, exact = "/poses-" in path, path.startswith(("scenes/", "benchmark"))
+    is_pose, exact, of = "/poses-" in path, path.startswith(("scenes/", "benchmark")), "contacts" if path.startswith("contacts/") else None
     found = []
     for k, name in enumerate(names):
         values = [row[k] for row in rows]
         if is_pose:
             entry = {"name": name, "type": "number", "description": TIME if name == "t" else f"entry {name[1:]} of the matrix, row and column from 0"}
         else:
-            known = described.get(name, {"meaning": name, "unit": None, "values": None})
-            kind = "integer" if name == "id" and exact else column_type(name, "number" if exact else "string")
+            known = described[name, of]
+            kind = known["type"] if of else "integer" if name == "id" and exact else column_type(name, "number" if exact else "string")
             entry = {"name": name, "type": kind, "description": known["meaning"]}
             if known["unit"]:
                 entry["unit"] = known["unit"]
@@ -157,13 +163,15 @@ def resource(out, path, described):
         names, *rows = csv.reader(io.StringIO("\n".join(lines)))
         entry |= {"profile": "tabular-data-resource", "encoding": "utf-8", "rows": len(rows), "dialect": {"delimiter": ",", "commentChar": "#"},
                   "schema": {"fields": fields_of(path, rows, names, described), "missingValues": [""]}}
+    elif ending == ".jsonl":
+        entry["rows"] = data.count(b"\n")
     elif ending == ".npy":
         entry["rows"] = int(re.search(rb"'shape': \((\d+),\)", data[:20000])[1])
     return entry
 
 
 def datapackage(out, columns):
-    described = {one["name"]: one for one in columns}
+    described = {(one["name"], one["folder"]): one for one in columns}
     resources = [resource(out, path, described) for path in listed(out) if path not in ABOUT]
     nameless = [one["path"] for one in resources if one["description"] is None]
     if nameless:
@@ -187,9 +195,9 @@ def croissant(out, package):
                     "encodingFormat": "application/json", "sha256": digest("datapackage.json")})
     sets = []
     for one in package["resources"]:
-        if one["path"] not in ("benchmark.csv.gz", "cases.csv.gz"):
+        if one["path"] not in ("benchmark.csv.gz", "cases.csv.gz", "contacts/pairs.csv"):
             continue
-        name = one["path"].split(".")[0]
+        name = os.path.basename(one["path"]).split(".")[0]
         # A whole number that may be empty is a float to readers.
         kinds = {field["name"]: "number" if field["type"] == "integer" and "missing" in field else field["type"] for field in one["schema"]["fields"]}
         sets.append({"@type": "cr:RecordSet", "@id": name, "name": name, "description": one["description"],
@@ -198,7 +206,7 @@ def croissant(out, package):
                                 "source": {"fileObject": {"@id": one["path"]}, "extract": {"column": field["name"]}}} for field in one["schema"]["fields"]]})
     dataset = {"@context": CONTEXT, "@type": "sc:Dataset", "conformsTo": "http://mlcommons.org/croissant/1.0", "name": "graze-dataset", "alternateName": TITLE,
                "description": DESCRIPTION, "license": CC0, "url": URL, "version": version(), "keywords": KEYWORDS, "isLiveDataset": False,
-               "creator": {"@type": "sc:Organization", "name": AUTHORS}, "distribution": objects, "recordSet": sets}
+               "creator": {"@type": "sc:Organization", "name": AUTHORS}, "citeAs": f"{AUTHORS}: {TITLE}. Dataset of Graze {version()}, {URL}", "distribution": objects, "recordSet": sets}
     return dataset | ({"datePublished": released()} if released() else {})
 
 
@@ -206,7 +214,7 @@ def readme(out, package):
     paths = [one["path"] for one in package["resources"]]
     rows = {one["path"]: one["rows"] for one in package["resources"] if "rows" in one}
     table = [f"| `{pattern}` | {what} | {how} |" for pattern, what, how in ORIGINS if any(fnmatch.fnmatchcase(path, pattern) for path in paths)]
-    return README.format(title=TITLE, description=DESCRIPTION, version=version(), table="\n".join(table), rows=f"{rows['benchmark.csv.gz']:,}",
+    return README.format(title=TITLE, description=DESCRIPTION, version=version(), table="\n".join(table), rows=f"{rows['benchmark.csv.gz']:,}", pairs=f"{rows['contacts/pairs.csv']:,}",
                          scenes=len(os.listdir(os.path.join(out, "scenes"))), cases=len(os.listdir(os.path.join(out, "cases"))), case_rows=rows["cases.csv.gz"])
 
 

@@ -55,6 +55,26 @@ VALUES = {
     "side": ["in", "on", "out"],
     "family": ["parts", "motions", "degenerate", "large", "adversarial"],
 }
+# Columns of contacts/: meaning, type, unit, values.
+SOLID_PATH = "file of the {} solid, in solids.tar.gz"
+CONTACTS = {
+    "id": ("the pair: its family and number", "string", None, None),
+    "family": ("how the pair was made", "string", None,
+               ["head-on", "edges", "grazes", "slides", "near-misses", "turns", "screws", "tumbles", "splines", "logs"]),
+    "kind": ("the solids of the pair, in words", "string", None, None),
+    "moving": (SOLID_PATH.format("moving"), "string", None, None),
+    "motion": ("file of the motion, in motions.tar.gz", "string", None, None),
+    "fixed": (SOLID_PATH.format("standing"), "string", None, None),
+    "facets": ("number of facets of both solids", "integer", None, None),
+    "known": ("the word by construction; with + at its end the word begins so; empty: not known beforehand", "string", None, None),
+    "known_first": ("time of the first contact by construction, a ratio; empty: not known beforehand", "string", TIME, None),
+    "verdict": ("the solids stay apart, touch without a common inner point, or have one at some time", "string", None, ["clear", "touch", "overlap"]),
+    "word": ("states of the pair in order of time: O apart, B touching, I with common inner points", "string", None, None),
+    "first": ("time of the first contact, exactly: a ratio, or root(c0 c1 ...;a;b): polynomial, the constant first, and an interval with one root of it",
+              "string", TIME, None),
+    "first_near": ("a double near the time of the first contact", "number", TIME, None),
+    "cells": ("all pairs of cells that meet then, of the moving and of the standing solid", "string", None, None),
+}
 WHOLE = {"case", "i", "t", "k", "first_piece", "last_piece", "first_row", "last_row"}
 REAL = {"sdf_low", "sdf_high", "boundary_low", "first_near", "last_near"}
 CODES = ("definition", "case", "i", "t")  # numbers in 32 bits of an npy array; 0 for ext and for nothing
@@ -112,14 +132,16 @@ def column_type(name, points="number"):
 
 
 def describe(graze):
-    """The entries of columns.json: name, meaning, type, unit, values of each column of any table of the dataset."""
+    """The entries of columns.json: name, meaning, type, unit, values of each column of any table, and the folder that has it so, if one has."""
     known, written = {**meanings(), **COMMON, **POINTS}, written_columns(graze)
     lacking = [name for name in written if name not in known]
     if lacking:
         raise Failure(f"{FORMATS}: no row `{lacking[0]}` in a table of columns")
     names = [*written, *(name for name in POINTS if name not in written)]
-    return [{"name": name, "meaning": known[name], "type": column_type(name, "number or ratio"), "unit": UNITS.get(name), "values": VALUES.get(name)}
-            for name in names]
+    keys = ("name", "meaning", "type", "unit", "values", "folder")
+    entries = [(name, known[name], column_type(name, "number or ratio"), UNITS.get(name), VALUES.get(name), None) for name in names]
+    entries += [(name, *more, "contacts") for name, more in CONTACTS.items()]
+    return [dict(zip(keys, entry)) for entry in entries]
 
 
 def split_table(text, path):

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # suite
-"""The dataset of cases/dataset: a small one of two scenes, read through its metadata alone.
+"""The dataset of cases/dataset: a small one of two scenes, or with --dataset DIR one that is there, read through its metadata alone.
 
 Every file that datapackage.json and croissant.json name is there with the size and hash they say, no other file is there; each table
 has the columns, types, values and number of rows that they say, each array the numbers of its table; columns.json has the program's
-table of columns. The dataset is the same bytes when it is made again, elsewhere and under another clock and mask, and a run that is
-ended is continued. Certificates prove the rows that are packed, and refuse a row that is changed.
+table of columns. Archives of the pairs have the files that pairs.csv names. The dataset is the same bytes when it is made again, elsewhere and
+under another clock and mask, and a run that is ended by a signal leaves no program behind and is continued. Certificates prove the rows that are packed, and refuse a row that is changed.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import ast
@@ -16,9 +16,13 @@ import io
 import json
 import os
 import re
+import signal
 import struct
+import subprocess
 import sys
+import tarfile
 import tempfile
+import time
 from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
@@ -111,7 +115,7 @@ def same_numbers(name, out, names, rows, count):
         checks.holds(got == wanted, name, column, next(((a, b) for a, b in zip(got, wanted) if a != b), None))
 
 
-def metadata(out):
+def metadata(out, scenes, pairs):
     """All of the dataset by datapackage.json; then croissant.json, columns.json and SHA256SUMS against it."""
     package, croissant = json.loads(read(out, "datapackage.json")), json.loads(read(out, "croissant.json"))
     entries = {one["path"]: one for one in package["resources"]}
@@ -127,8 +131,11 @@ def metadata(out):
     for path, entry in entries.items():
         if path.endswith(".npy"):
             same_numbers(path, out, *tables[path.replace(".npy", ".csv.gz")], entry["rows"])
-    checks.equal([len(tables[f"scenes/{name}/golden.csv.gz"][1]) for name in SCENES], [10000, 10000], "rows of scenes")
-    checks.equal(len(tables["benchmark.csv.gz"][1]), 20000, "rows of all scenes")
+    hashed = dict(line.split()[:0:-1] for line in read(ROOT, "cases", "benchmark", "hashes.txt").decode().splitlines() if line[0] != "#")
+    wanted = {name: int(hashed[name]) for name in scenes}
+    checks.equal({path.split("/")[1]: len(rows) for path, (_, rows) in tables.items() if path.endswith("/golden.csv.gz") and path.startswith("scenes/")},
+                 wanted, "rows of scenes")
+    checks.equal(len(tables["benchmark.csv.gz"][1]), sum(wanted.values()), "rows of all scenes")
     derived = sum(read(ROOT, "cases", name, "expected.csv").count(b"\n") - 1 for name in os.listdir(os.path.join(ROOT, "cases"))
                   if os.path.exists(os.path.join(ROOT, "cases", name, "expected.csv")))
     checks.equal(len(tables["cases.csv.gz"][1]), derived, "rows of cases")
@@ -136,6 +143,37 @@ def metadata(out):
     checks.equal(sums, {path: sha256(read(out, path)) for path in under(out) - {"SHA256SUMS"}}, "SHA256SUMS")
     check_croissant(out, croissant, entries)
     check_columns(json.loads(read(out, "columns.json")), tables)
+    check_pairs(out, entries, tables, pairs)
+
+
+def check_pairs(out, entries, tables, count):
+    """The archives hold the files that the pairs name and no other, the answers are those of the pairs, and fit what is known of them."""
+    names, rows = tables["contacts/pairs.csv"]
+    pairs = [dict(zip(names, row)) for row in rows]
+    checks.equal(len(pairs), 10 * count, "pairs of ten families")
+    for name, columns in (("solids", ("moving", "fixed")), ("motions", ("motion",))):
+        data = gzip.decompress(read(out, "contacts", name + ".tar.gz"))
+        unpacked = entries[f"contacts/{name}.tar.gz"]["unpacked"]
+        checks.equal((len(data), "sha256:" + sha256(data)), (unpacked["bytes"], unpacked["hash"]), name, "unpacked")
+        with tarfile.open(fileobj=io.BytesIO(data)) as archive:
+            members = archive.getmembers()
+            inside = {one.name: archive.extractfile(one).read() for one in members}
+        checks.equal({(one.mtime, one.uid, one.gid, one.mode, one.uname) for one in members}, {(0, 0, 0, 0o644, "")}, name, "dates and owners")
+        checks.equal(set(inside), {pair[column] for pair in pairs for column in columns}, name, "files of the archive")
+        starts = {text[:3] if name == "solids" else b"{}" if isinstance(json.loads(text), dict) else text for text in inside.values()}
+        checks.equal(starts, {b"OFF" if name == "solids" else b"{}"}, name)
+    names, rows = tables["contacts/golden.csv.gz"]
+    answers = [dict(zip(names, row)) for row in rows]
+    lines = gzip.decompress(read(out, "contacts", "golden.jsonl.gz")).decode().splitlines()
+    checks.equal(len(lines), entries["contacts/golden.jsonl.gz"]["rows"], "lines of golden.jsonl")
+    objects = [json.loads(line) for line in lines]
+    checks.equal([pair["id"] for pair in pairs], [one["id"] for one in answers], "answers of pairs")
+    checks.equal([(one["id"], one["verdict"], one["word"]) for one in objects], [(one["id"], one["verdict"], one["word"]) for one in answers], "objects")
+    for pair, answer in zip(pairs, answers):
+        known = pair["known"]
+        right = answer["word"].startswith(known[:-1]) if known.endswith("+") else known in ("", answer["word"])
+        checks.holds(right and pair["known_first"] in ("", answer["first"]), pair, answer)
+        checks.equal(bool(answer["first"]), answer["verdict"] != "clear", answer)
 
 
 def check_croissant(out, croissant, entries):
@@ -153,7 +191,8 @@ def check_croissant(out, croissant, entries):
         fields = entries[path]["schema"]["fields"]
         checks.equal([one["source"]["extract"]["column"] for one in records["field"]], [field["name"] for field in fields], path, "columns of croissant.json")
         checks.equal(objects[path]["encodingFormat"], "text/csv", path)
-        checks.holds(not gzip.decompress(read(out, path)).startswith(b"#"), path, "a reader of Croissant knows no comments")
+        data = read(out, path)
+        checks.holds(not (gzip.decompress(data) if path.endswith(".gz") else data).startswith(b"#"), path, "a reader of Croissant knows no comments")
         for one, field in zip(records["field"], fields):
             kind = CROISSANT[one["dataType"]]
             checks.holds(kind == field["type"] or (kind, field["type"]) == ("number", "integer") and "missing" in field, path, field["name"], one["dataType"])
@@ -161,15 +200,22 @@ def check_croissant(out, croissant, entries):
 
 def check_columns(columns, tables):
     """columns.json names what the table of columns in C names, in its order, and each column of each table."""
-    names = [one["name"] for one in columns]
-    checks.equal(len(set(names)), len(names), "columns.json names a column once")
+    of = {folder: {one["name"]: one for one in columns if one["folder"] == folder} for folder in (None, "contacts")}
+    checks.equal(sum(map(len, of.values())), len(columns), "columns.json names a column once")
+    names = list(of[None])
     in_c = [name for names in column_sets().values() for name in names]
     checks.equal([name for name in names if name in in_c], in_c, "the table of columns")
-    for path, (found, _) in tables.items():
-        unknown = [] if "/poses-" in path else [name for name in found if name not in names]
+    for path, (found, rows) in tables.items():
+        described = {} if "/poses-" in path else of["contacts" if path.startswith("contacts/") else None]
+        unknown = [name for name in found if described and name not in described]
         checks.holds(not unknown, path, "columns that columns.json lacks", unknown)
+        for k, one in ((k, described[name]) for k, name in enumerate(found) if name in described):
+            values = {row[k] for row in rows if row[k]}
+            checks.holds(values <= set(one["values"] or values), path, one["name"], "values that columns.json lacks", values - set(one["values"] or values))
+            kind = "number" if one["type"] == "number or ratio" else one["type"]
+            checks.holds(all(fits(kind, value) for value in values), path, one["name"], "no", one["type"])
     for one in columns:
-        checks.equal(set(one), {"name", "meaning", "type", "unit", "values"}, one)
+        checks.equal(set(one), {"name", "meaning", "type", "unit", "values", "folder"}, one)
         checks.holds(len(one["meaning"]) > 10 and "](" not in one["meaning"], one)
 
 
@@ -235,12 +281,40 @@ def again(args, folder, out):
     checks.holds(done.returncode == 3 and "nowhere: no scene of cases/benchmark; expected one of" in done.stderr, "an unknown scene", done)
 
 
+def ended(args, folder, wanted):
+    """A signal ends it and all that it started, in one line; the next run makes the same bytes."""
+    out, benchmark = os.path.join(folder, "ended"), os.path.join(folder, "ended-scenes", "benchmark")
+    words = [sys.executable, MAKE, "--graze", args.graze, "--benchmark", benchmark, out, *SCENES]
+    with subprocess.Popen(words, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True, env=without_leaks(), start_new_session=True) as started:
+        points = os.path.join(benchmark, SCENES[0], "points.csv.part")  # graze is at work
+        for _ in range(2000):
+            if os.path.exists(points) or started.poll() is not None:
+                break
+            time.sleep(0.01)
+        started.terminate()
+        said = started.communicate(timeout=60)[1]
+        checks.equal((started.returncode, "Traceback" in said, "the next run continues" in said), (130, False, True), said)
+        try:
+            os.killpg(started.pid, 0)
+            os.killpg(started.pid, signal.SIGKILL)
+            checks.fail("programs that go on")
+        except ProcessLookupError:
+            checks.holds(True)
+    done = run(words, seconds=300, env=without_leaks())
+    checks.holds(done.returncode == 0 and read(out, "SHA256SUMS") == wanted, "continued after a signal", done)
+
+
 def main():
-    args = options(__doc__)
+    args = options(__doc__, ("--dataset", {"help": "a dataset that is there, whole"}))
+    if args.dataset:
+        metadata(args.dataset, sorted(os.listdir(os.path.join(args.dataset, "scenes"))), 1000)
+        checks.finish()
+        return
     with tempfile.TemporaryDirectory() as folder:
         out, done = make(args, folder, "dataset", *SCENES)
         if checks.holds(done.returncode == 0, done):
-            metadata(out)
+            metadata(out, SCENES, 10)
+            ended(args, folder, read(out, "SHA256SUMS"))
             same_as_graze(args, folder)
             certificates(args, out, folder)
             again(args, folder, out)

@@ -2,6 +2,7 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import base64
 import csv
 import html.parser
 import json
@@ -402,6 +403,41 @@ for ending in ("png", "pdf", "svg"):
             scene.page([(0, 0)], names=["one"], strata=["a", "b"])
         with self.assertRaises(graze.UseError):
             scene.page(surface=99)
+
+
+    def test_proof(self):
+        """A page with a certificate has the bytes of `graze draw --certificate`, with a checker those of --checker; files of another scene are refused."""
+        rows = [("1", "1/2"), ("9", "9"), ("2", "1")]
+        with tempfile.TemporaryDirectory() as folder:
+            solid, motion, bare, proof, checker, path = (os.path.join(folder, name) for name in ("s.wkt", "m.json", "p.csv", "c.txt", "k.html", "page.html"))
+            for name, text in ((solid, b"POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))\r\n"), (motion, json.dumps(common.moved("t", "0")).encode()),
+                               (bare, b"x,y,id,stratum\n1,1/2,a,s\n9,9,b,s\n2,1,c,s\n"), (checker, b"<title>graze-check</title>\xff\x00<")):
+                with open(name, "wb") as file:
+                    file.write(text)
+            scene = graze.Scene(pathlib.Path(solid), motion)
+            program("certify", solid, motion, bare, "-o", proof)
+            with open(proof, "rb") as file:
+                held = base64.b64encode(file.read()).decode()
+            for more in ({}, {"checker": pathlib.Path(checker)}):
+                words = [word for name, file in more.items() for word in ("--" + name, str(file))]
+                program("draw", solid, motion, bare, "--title", "T", "--surface", "none", "--certificate", proof, *words, "-o", path)
+                page = scene.page(rows, names="abc", strata="sss", title="T", surface=None, certificate=proof, **more)
+                with open(path, encoding="utf-8") as file:
+                    self.assertEqual(page.html, file.read())
+                self.assertEqual((page.html.count(held), '"checker":' in page.html), (1, bool(more)))
+            self.assertNotIn(held, scene.page(rows, surface=None).html)
+            with open(motion, encoding="utf-8") as file:
+                of_text = graze.Scene(solid, file.read())
+            for wrong, given in ((scene, {"checker": checker}), (of_text, {"certificate": proof}), (graze.Scene(solid, None), {"certificate": proof})):
+                with self.assertRaises(graze.UseError):
+                    wrong.page(rows, surface=None, **given)
+            for given in ({"certificate": bare}, {"certificate": proof, "checker": bare}):
+                with self.assertRaises(graze.InputError):
+                    scene.page(rows, surface=None, **given)
+            with self.assertRaises(graze.MachineError):
+                scene.page(rows, surface=None, certificate=os.path.join(folder, "none"))
+            with self.assertRaises(graze.InputError):
+                graze.Scene(common.case("figure4")[0], motion).page(rows, surface=None, certificate=proof)
 
 
 class Comparisons(unittest.TestCase):

@@ -124,10 +124,14 @@ def _written(name: str, context: Context, write: Any, scene: Handle, more: Tuple
 
 def page(context: Context, scene: Handle, points: Optional[Points], names: Optional[Sequence[str]],
          strata: Optional[Sequence[str]], box: Optional[Tuple[Rationals, Rationals]],
-         **options: Any) -> Page:
-    """A page of a scene; `options` are title, times and surface, -1 for none."""
+         proof: Optional[Sequence[Any]], **options: Any) -> Page:
+    """A page of a scene; `proof`: solid, motion, certificate, and the checker's page or None;
+    `options` are title, times and surface, -1 for none."""
     chosen = C.graze_draw_options(times=options["times"], surface=options["surface"],
                                   title=options["title"].encode())
+    files = (ctypes.c_char_p * 4)(*(path and os.fsencode(path) for path in proof or ()))
+    if proof:
+        chosen.proof = ctypes.addressof(files)
     return Page(_drawn("scene.html", context, scene, chosen, points, names, strata, box).decode())
 
 

@@ -493,7 +493,8 @@ class Scene:
     def page(self, points: Any = None, *, names: Optional[Sequence[str]] = None,
              strata: Optional[Sequence[str]] = None, title: str = "",
              surface: Optional[int] = 0, times: int = 0,
-             box: Optional[Tuple[Sequence[Number], Sequence[Number]]] = None) -> Page:
+             box: Optional[Tuple[Sequence[Number], Sequence[Number]]] = None,
+             certificate: Any = None, checker: Any = None) -> Page:
         """A page of HTML to turn and to ask, as `graze draw -o scene.html` makes it: the solid at a
         time, what it sweeps, the points by class with their trajectories, and for each the sentences
         of `graze explain`. It needs no network. A notebook shows it.
@@ -504,10 +505,24 @@ class Scene:
             surface: level of the sweep's surface; 0 chooses, None leaves it out.
             times: positions of the solid, 2 to 64; 0 is 5.
             box: the lowest and the highest corner; None is around the scene.
+            certificate: a file of `graze certify` for these points, in their order. The page has its
+                bytes and those of the files of solid and motion, and the page of `graze-check`
+                verifies it. Not of a solid or a motion that was made of arrays or text.
+            checker: with certificate, the file of `make checker-page`: the page proves its points
+                itself, by a button.
+        Raises:
+            UseError: a checker alone, or a certificate of a scene that was not read from files.
+            InputError: a file that is not of this scene, or no page of `graze-check`.
         """
         corners = (self._point(box[0]), self._point(box[1])) if box else None
         given = None if points is None else self._points(points)
-        return page(self._context(), self._handle, given, names, strata, corners, title=title,
+        files = [getattr(part, "_source", None) for part in (self.solid, self.motion)]
+        if checker is not None and certificate is None:
+            raise UseError("a checker proves points by a certificate; expected certificate too")
+        if certificate is not None and None in files:
+            raise UseError("a certificate is of files; expected a solid and a motion that were read from files")
+        proof = None if certificate is None else [*files, certificate, checker]
+        return page(self._context(), self._handle, given, names, strata, corners, proof, title=title,
                     times=times, surface=-1 if surface is None else surface)
 
     def _context(self) -> Context:
