@@ -4,15 +4,13 @@
  */
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/planar/planar.h"
 #include "questions/collide/near_pairs.h"
 
 /* The most cells of a solid, evenly chosen, that give points; halvings of an irrational time, and
- * places of a root; the most planes of a convex solid whose depths are found for all points. */
-enum { MOST_ASKED = 64, HALVINGS = 40, MOST_PLANES = 256 };
+ * places of a root; the most facets of a convex solid whose depths are found for all points. */
+enum { MOST_ASKED = 64, HALVINGS = 40, MOST_FACETS = 512 };
 
-typedef graze_pair collide; /* as locals that collide_clear and planes_clear clear */
-typedef plane_list planes;
+typedef graze_pair collide; /* as a local that collide_clear clears */
 
 /* Replace *best by the time at which a pair enters a state at a distance, if that is earlier. */
 static graze_status ask_entry(graze_time **best, graze_context *context, const graze_pair *of,
@@ -83,102 +81,81 @@ static int keeps_lengths(const graze_motion *motion) {
     return keeps;
 }
 
-/* Find the side of a plane on which a solid is: 1, -1, or 0 if it is on both. */
-static int side_of_plane(const graze_solid *solid, const fmpz *form) {
-    int d = solid->input.dimension, side = 0;
-    LOCAL_VEC(fmpz, x, 4);
-    for (size_t v = 0; v < solid->input.vertex_count; v++) {
-        homogeneous_vertex(x, solid, (uint32_t)v);
-        int next = form_sign(form, x, d);
-        if (next * side < 0)
-            return 0;
-        side = next ? next : side;
-    }
-    return side;
-}
-
-/* Move the plane of a form towards `side` by a length, or by up to 2^-40 of it more. */
-static void deepen_plane(fmpz *form, int side, const fmpq_t length, int d) {
+/* Write the half-space of the points deeper than a length behind the plane of a simplex, or by up
+ * to 2^-40 of the length deeper; 0 if a vertex of the solid is before the plane. */
+static int put_deeper(text *out, const graze_solid *of, size_t simplex, const fmpq_t length) {
+    int d = of->input.dimension, before = 0;
+    LOCAL_VEC(fmpz, form, 8); /* then a vertex */
     LOCAL_VEC(fmpq, by, 2);
-    LOCAL(fmpz, content);
-    _fmpz_vec_dot(fmpq_numref(by + 1), form, form, d);
-    fmpz_mul_2exp(fmpq_numref(by + 1), fmpq_numref(by + 1), 2 * HALVINGS);
-    csg_upper_root(by, by + 1);
-    fmpq_div_2exp(by, by, HALVINGS);
-    fmpq_mul(by, by, length);
-    _fmpz_vec_scalar_mul_fmpz(form, form, d + 1, fmpq_denref(by));
-    (side < 0 ? fmpz_add : fmpz_sub)(form + d, form + d, fmpq_numref(by));
-    _fmpz_vec_content(content, form, d + 1);
-    _fmpz_vec_scalar_divexact_fmpz(form, form, d + 1, content);
+    _fmpz_vec_scalar_mul_si(form, form, d + 1, solid_plane(form, of, simplex));
+    for (uint32_t v = 0; v < of->input.vertex_count && !before; v++) {
+        homogeneous_vertex(form + 4, of, v);
+        before = form_sign(form, form + 4, d) > 0;
+    }
+    _fmpz_vec_dot(fmpq_numref(by), form, form, d);
+    fmpz_mul_2exp(fmpq_numref(by), fmpq_numref(by), 2 * HALVINGS);
+    csg_upper_root(by + 1, by);
+    fmpq_div_2exp(by + 1, by + 1, HALVINGS);
+    fmpq_mul(by, by + 1, length);
+    fmpq_add_fmpz(by, by, form + d);
+    fmpq_neg(by, by);
+    for (int i = 0; i < d; i++) {
+        text_put(out, i ? ", " : ", {\"halfspace\": {\"normal\": [");
+        text_integer(out, form + i);
+    }
+    text_put(out, "], \"offset\": \"");
+    text_rational(out, by);
+    text_put(out, "\"}}");
+    return !before;
 }
 
-/* Make the solid of the points that are on given sides of planes, within the box of another one. */
+/* Make the solid of all points of a convex one that are deeper than a length; NULL if it is not
+ * convex or has many facets. A solid without points is curved. */
 static graze_status make_core(graze_solid **out, graze_context *context, const graze_solid *of,
-                              const fmpz *form, const int *side, size_t count) {
-    static unsigned char power[2][4][3] = {{{1}, {0, 1}}, {{1}, {0, 1}, {0, 0, 1}}};
-    int d = of->input.dimension;
-    csg_surface surface[MOST_PLANES];
-    csg_node node[MOST_PLANES + 1] = {{.operation = CSG_SIGN}};
-    size_t operand[2 * MOST_PLANES];
-    csg solid = {.dimension = d, .surface = surface, .node = node, .operand = operand};
-    csg_form kind;
-    HELD(csg_box, box);
-    soup facets;
-    for (size_t k = 0; k < count; k++) {
-        surface[k] =
-            (csg_surface){1, (size_t)d + 1, (fmpz *)form + k * ((size_t)d + 1), power[d - 2]};
-        node[k] = (csg_node){CSG_SIGN, side[k] > 0, k, 1, 0};
-        operand[k] = operand[count + k] = k;
+                              const fmpq_t length) {
+    const graze_context given = *context;
+    int d = of->input.dimension, convex = of->cut.count <= MOST_FACETS;
+    LOCAL_VEC(fmpq, box, 6);
+    HELD(text, t);
+    solid_box(box, box + d, of);
+    text_format(&t, "{\"dimension\": %d, \"solid\": {\"intersection\": [{\"box\": {\"low\": [\"",
+                d);
+    for (int k = 0; k < 2 * d; k++) {
+        text_put(&t, k == d ? "\"], \"high\": [\"" : k ? "\", \"" : "");
+        text_rational(&t, box + k);
     }
-    node[count] = (csg_node){CSG_ALL, 0, count, count, 0};
-    solid.surface_count = count;
-    solid.node_count = count + 1;
-    solid.operand_count = 2 * count;
-    box.dimension = d;
-    solid_box(box.low, box.high, of);
-    solid.box = box;
-    context->work = 0;
-    graze_status status = planar_soup(&facets, &kind, context, &solid);
-    if (!status && kind == CSG_FACETS)
-        return solid_create(out, context, &facets, 0);
-    soup_clear(&facets);
+    text_put(&t, "\"]}}");
+    for (size_t k = 0; k < of->cut.count && convex; k++)
+        convex = put_deeper(&t, of, k, length);
+    text_put(&t, "]}}");
+    if (!convex || t.failed)
+        return t.failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory") : GRAZE_OK;
+    context->rounding = GRAZE_ROUND_NONE; /* its numbers are those of the solid */
+    context->limits[GRAZE_LIMIT_DIGITS] = context->limits[GRAZE_LIMIT_LINE] = ULONG_MAX;
+    graze_status status =
+        solid_create_curved_text(out, context, "solid", t.data, t.length, of->input.sha256);
+    context->rounding = given.rounding;
+    memcpy(context->limits, given.limits, sizeof given.limits);
     return status;
 }
 
-/* Ask when points of one solid are deeper in the other one, if that is convex, has few planes and
+/* Ask when points of one solid are deeper in the other one, if that is convex, has few facets and
  * keeps its lengths; *done tells that. */
 static graze_status ask_core(int *done, graze_pair *pair, graze_context *context, int side) {
     solid_pair asked = pair->pair;
-    const graze_solid **other = side ? &asked.moving : &asked.fixed, *of = *other;
-    size_t width = (size_t)pair->pair.motion->dimension + 1, k = 0;
-    int at[MOST_PLANES], empty = 0;
+    const graze_solid **other = side ? &asked.moving : &asked.fixed;
+    graze_solid *core = NULL;
     LOCAL_VEC(fmpq, depth, 2); /* then 0 */
-    ZEROED(planes, list);
-    *done = 0;
     if (asked.round[!side] || !keeps_lengths(pair->frame) ||
         (side && !keeps_lengths(pair->pair.motion)))
         return GRAZE_OK;
-    if (planes_find(&list, NULL, of, NULL, of->cut.count))
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for planes");
-    if (list.count > MOST_PLANES)
-        return GRAZE_OK;
     fmpq_sub(depth, pair->error, pair->distance);
-    for (; k < list.count; k++) {
-        fmpz *form = list.form + k * width;
-        at[k] = side_of_plane(of, form);
-        if (!at[k])
-            return GRAZE_OK;
-        deepen_plane(form, at[k], depth, (int)width - 1);
-        for (size_t i = 0; i < k; i++)
-            empty |= form_compare(list.form + i * width, form, (int)width - 1) == 0;
-    }
-    *done = 1;
-    *other = NULL;
-    graze_status status =
-        empty ? GRAZE_OK : make_core((graze_solid **)other, context, of, list.form, at, k);
-    if (!status && *other)
+    graze_status status = make_core(&core, context, *other, depth);
+    *done = core && (!core->curved || core->curved->form == CSG_EMPTY);
+    *other = core;
+    if (!status && *done && !core->curved)
         status = ask_entry(&pair->high, context, pair, &asked, depth + 1, GRAZE_STATE_I);
-    graze_solid_destroy((graze_solid *)*other);
+    graze_solid_destroy(core);
     return status;
 }
 
