@@ -156,6 +156,12 @@ void pair_text(text *out, const graze_pair *pair) {
 void pair_fields(text *out, const graze_pair *pair) {
     const pair_contact *c = pair->walk.contact_count && !pair->start ? pair->walk.contact : NULL;
     const char next[] = {(char)collide_next(pair), '\0'};
+    if (pair->is_bounded) {
+        report_put_time_near(out, pair->bounds.low);
+        text_put(out, ",");
+        report_put_time_near(out, pair->bounds.high);
+        return;
+    }
     text_format(out, "%s,%s,", pair_verdict_word(pair), pair->walk.word);
     report_put_time_near(out, c ? c->from : pair->start);
     text_put(out, ",");

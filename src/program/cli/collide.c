@@ -41,9 +41,8 @@ static int check_list(const classify_options *o, int operands) {
         (alone && (o->pairs.options.first || o->pairs.overlap_alone || o->pairs.options.question)))
         return complain(EXIT_USAGE, "--closest, --motion-error: expected one of them, and no "
                                     "--first, --ask overlap or --inside");
-    if (o->points && alone)
-        return complain(EXIT_USAGE, "--closest and --motion-error are asked of one pair; expected "
-                                    "no --list");
+    if (o->points && o->pairs.options.closest > 0)
+        return complain(EXIT_USAGE, "--closest is asked of one pair; expected no --list");
     if (o->points && operands)
         return complain(EXIT_USAGE, "--list names the pairs; expected no operands beside it");
     if (o->points && !is_table && o->pairs.format != FORMAT_UNSET)
@@ -70,11 +69,13 @@ static int print_pair(const classify_options *o, char *const file[3]) {
     const struct pair_choice *asked = &o->pairs;
     const char *clearance = asked->clearance ? asked->clearance : "";
     const char *error = asked->motion_error ? asked->motion_error : "";
-    pair_question q = {{file[0], file[1], file[2], asked->motion_of_fixed},
-                       o->scene.solid_flags,
-                       asked->options,
-                       {clearance, strlen(clearance)},
-                       {error, strlen(error)}};
+    ZEROED(pair_question, q);
+    q = (pair_question){{file[0], file[1], file[2], asked->motion_of_fixed},
+                        o->scene.solid_flags,
+                        asked->options,
+                        {clearance, strlen(clearance)},
+                        {error, strlen(error)},
+                        {NULL}};
     OWNED(graze_context, context);
     OWNED(graze_pair, pair);
     ZEROED(fault, f);

@@ -73,9 +73,10 @@ int site_columns_fix(fault *f, columns *c, const fields *names, unsigned long nu
 }
 
 int pair_columns_fix(fault *f, columns *c, const fields *names, unsigned long number) {
-    static const char *const taken[PAIR_COLUMNS] = {
-        "moving", "motion", "fixed", "motion_of_fixed", "id", "clearance", "inside"};
-    static const char *const refused[] = {"ask", "closest", "motion_error"};
+    static const char *const taken[PAIR_COLUMNS] = {"moving",          "motion",      "fixed",
+                                                    "motion_of_fixed", "id",          "clearance",
+                                                    "inside",          "motion_error"};
+    static const char *const refused[] = {"ask", "closest"};
     size_t column;
     for (size_t k = 0; k < sizeof refused / sizeof *refused; k++)
         if (find_name(&column, names, refused[k]))

@@ -1,20 +1,24 @@
 /* Answers the pairs of a list (src/program/cli/formats.md, Lists of pairs).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Solids and motions stay on a shelf while the program runs, so that each is read once: by the
- * thread that needs it first, while others that need it wait. A fault of a file stays there too.
+ * Solids and motions stay on a shelf, so that each is read once: by the thread that needs it first,
+ * while others that need it wait. A fault of a file stays there too. Those that no thread needs go,
+ * the longest unused first, while the files on the shelf are larger than SHELF_BYTES in all.
  */
-#define _GNU_SOURCE /* tdestroy */
 #include "program/run/run.h"
 
 #include <pthread.h>
-#include <search.h>
+#include <sys/stat.h>
 #include "base/context/scope.h"
 #include "base/number/json.h"
 
+enum { SHELF_BYTES = 1 << 26, FILE_LEAST = 1 << 16 }; /* the latter is added for each file */
+
 typedef struct shelved {
+    struct shelved *next;
     char *path;
-    int is_motion, is_read;
+    int is_motion, is_read, users;
+    off_t bytes;
     graze_solid *solid;
     graze_motion *motion;
     fault fault;
@@ -23,16 +27,11 @@ typedef struct shelved {
 static struct {
     pthread_mutex_t lock;
     pthread_cond_t read;
-    void *files; /* a tree of tsearch */
-} shelf = {PTHREAD_MUTEX_INITIALIZER, PTHREAD_COND_INITIALIZER, NULL};
+    shelved *files; /* the last used first */
+    off_t bytes;
+} shelf = {PTHREAD_MUTEX_INITIALIZER, PTHREAD_COND_INITIALIZER, NULL, 0};
 
-static int compare_shelved(const void *a, const void *b) {
-    const shelved *x = a, *y = b;
-    return x->is_motion != y->is_motion ? x->is_motion - y->is_motion : strcmp(x->path, y->path);
-}
-
-static void free_shelved(void *held) {
-    shelved *file = held;
+static void free_shelved(shelved *file) {
     free(file->path);
     graze_solid_destroy(file->solid);
     graze_motion_destroy(file->motion);
@@ -40,28 +39,63 @@ static void free_shelved(void *held) {
     free(file);
 }
 
-void pairs_end(void) {
-    tdestroy(shelf.files, free_shelved);
-    shelf.files = NULL;
+/* Clear the shelf of files without users while there are more bytes than `most`. */
+static void clear_shelf(off_t most) {
+    for (shelved **last = &shelf.files; last && shelf.bytes > most;) {
+        last = NULL;
+        for (shelved **at = &shelf.files; *at; at = &(*at)->next)
+            last = (*at)->users ? last : at;
+        shelved *file = last ? *last : NULL;
+        if (file) {
+            *last = file->next;
+            shelf.bytes -= file->bytes;
+            free_shelved(file);
+        }
+    }
 }
 
-/* Find a file on the shelf; where there is none, `mine` is put there to be read. NULL: memory is
- * short. */
+void pairs_end(void) {
+    clear_shelf(0);
+}
+
+void pair_question_clear(pair_question *q) {
+    pthread_mutex_lock(&shelf.lock);
+    for (int k = 0; k < PAIR_FILES; k++)
+        if (q->held[k])
+            q->held[k]->users--;
+    clear_shelf(SHELF_BYTES);
+    pthread_mutex_unlock(&shelf.lock);
+}
+
+/* Find a file on the shelf, and move it to the front; where there is none, `mine` is put there to
+ * be read. */
 static shelved *find_shelved(shelved *mine) {
     pthread_mutex_lock(&shelf.lock);
-    shelved **place = tsearch(mine, &shelf.files, compare_shelved);
-    while (place && *place != mine && !(*place)->is_read)
+    shelved **at = &shelf.files, *file;
+    while (*at && ((*at)->is_motion != mine->is_motion || strcmp((*at)->path, mine->path) != 0))
+        at = &(*at)->next;
+    file = *at ? *at : mine;
+    if (file == mine)
+        shelf.bytes += mine->bytes;
+    else
+        *at = file->next;
+    file->next = shelf.files;
+    shelf.files = file;
+    file->users++;
+    while (file != mine && !file->is_read)
         pthread_cond_wait(&shelf.read, &shelf.lock);
     pthread_mutex_unlock(&shelf.lock);
-    return place ? *place : NULL;
+    return file;
 }
 
 /* Set *out to the solid or the motion of a file. */
-static int read_shelved(const shelved **out, fault *f, graze_context *context, const char *path,
+static int read_shelved(shelved **out, fault *f, graze_context *context, const char *path,
                         int is_motion, unsigned flags) {
     shelved *mine = calloc(1, sizeof *mine), *file = NULL;
+    struct stat about;
     if (mine) {
         mine->is_motion = is_motion;
+        mine->bytes = FILE_LEAST + (stat(path, &about) == 0 ? about.st_size : 0);
         mine->path = strdup(path);
         file = mine->path ? find_shelved(mine) : NULL;
     }
@@ -84,8 +118,8 @@ static int read_shelved(const shelved **out, fault *f, graze_context *context, c
                : (f->status = file->fault.status);
 }
 
-int pair_decide(graze_pair **out, fault *f, graze_context *context, const pair_question *q) {
-    const shelved *file[PAIR_FILES] = {NULL};
+int pair_decide(graze_pair **out, fault *f, graze_context *context, pair_question *q) {
+    shelved **file = q->held;
     LOCAL(mpq, clearance);
     LOCAL(mpq, error);
     mpq_ptr const read[] = {clearance, error};
@@ -127,12 +161,23 @@ static void put_path(text *out, const answerer *a, int column) {
     text_bytes(out, name.start, name.length);
 }
 
+/* Are rows of the list answered with a motion error? */
+static int has_error(const columns *c, const classify_options *o) {
+    return o->pairs.motion_error || c->pairs.where[PAIR_MOTION_ERROR] != SIZE_MAX;
+}
+
+/* The content of a column or, where it is empty, an option. */
+static field pair_number(const answerer *a, int column, const char *option) {
+    field own = pair_value(a, column);
+    return own.length || !option ? own : (field){option, strlen(option)};
+}
+
 /* Answer the pair of the row that was read last. */
-static int answer_row(graze_pair **out, fault *f, const answerer *a) {
+static int answer_row(graze_pair **out, fault *f, const answerer *a, pair_question *q) {
     const struct pair_choice *all = &a->task.pairs->pairs;
     static const char *const names[] = {"moving", "motion", "fixed"};
-    field inside = pair_value(a, PAIR_INSIDE), clearance = pair_value(a, PAIR_CLEARANCE);
-    pair_question q = {.options = all->options, .solid_flags = a->task.pairs->scene.solid_flags};
+    field inside = pair_value(a, PAIR_INSIDE);
+    int bounded = has_error(a->task.source.columns, a->task.pairs);
     size_t at[PAIR_FILES];
     HELD(text, paths);
     for (int k = 0; k < PAIR_FILES; k++) {
@@ -145,15 +190,22 @@ static int answer_row(graze_pair **out, fault *f, const answerer *a) {
     if (paths.failed)
         return fault_set(f, EXIT_IO, "out of memory");
     for (int k = 0; k < PAIR_FILES; k++)
-        q.path[k] = paths.data[at[k]] ? paths.data + at[k] : all->motion_of_fixed;
-    q.clearance = clearance.length || !all->clearance
-                      ? clearance
-                      : (field){all->clearance, strlen(all->clearance)};
+        q->path[k] = paths.data[at[k]] ? paths.data + at[k] : all->motion_of_fixed;
+    q->options = all->options;
+    q->solid_flags = a->task.pairs->scene.solid_flags;
+    q->clearance = pair_number(a, PAIR_CLEARANCE, all->clearance);
+    if (bounded)
+        q->motion_error =
+            pair_number(a, PAIR_MOTION_ERROR, all->motion_error ? all->motion_error : "0");
+    if (bounded && (all->options.first || all->overlap_alone || all->options.question ||
+                    field_is(inside, "yes")))
+        return fault_set(f, EXIT_INPUT,
+                         "a motion error goes without --first, --ask overlap and inside");
     if (inside.length && !field_is(inside, "yes") && !field_is(inside, "no"))
         return fault_set(f, EXIT_INPUT, "inside: %.*s: expected yes or no", FIELD_SHOWN(inside));
     if (inside.length)
-        q.options.question = field_is(inside, "yes") ? GRAZE_PAIR_INSIDE : GRAZE_PAIR_MEETS;
-    return pair_decide(out, f, a->context, &q);
+        q->options.question = field_is(inside, "yes") ? GRAZE_PAIR_INSIDE : GRAZE_PAIR_MEETS;
+    return pair_decide(out, f, a->context, q);
 }
 
 /* Append a row of the table, or an object. `answer` is NULL where the row has a fault; `status` is
@@ -162,7 +214,9 @@ static void put_listed(text *out, const answerer *a, const char *answer, const f
                        unsigned long number) {
     const columns *c = a->task.source.columns;
     size_t where = c->pairs.where[PAIR_ID];
-    int first = a->task.pairs->pairs.options.first;
+    const char *empty = has_error(c, a->task.pairs)          ? ",,,"
+                        : a->task.pairs->pairs.options.first ? ",,,,,"
+                                                             : ",,,,";
     field id = pair_value(a, PAIR_ID);
     HELD(text, name);
     json_writer w = {.out = out};
@@ -177,7 +231,7 @@ static void put_listed(text *out, const answerer *a, const char *answer, const f
         text_bytes(out, name.data, name.length);
         if (c->others)
             text_format(out, ",%s", a->reader.rest.data);
-        text_format(out, ",%s,%d,", answer ? answer : first ? ",,,,," : ",,,,", status);
+        text_format(out, ",%s,%d,", answer ? answer : empty, status);
         if (!answer)
             put_quoted(out, (field){f->message, strlen(f->message)});
         text_put(out, "\n");
@@ -207,12 +261,13 @@ void answer_pair(answerer *a, row_run *r, const block *b, size_t first) {
     int object = a->task.rows->format == GRAZE_FORMAT_JSONL;
     ZEROED(fault, f);
     HELD(text, row);
+    ZEROED(pair_question, q);
     OWNED(graze_pair, pair);
     FREED(char, answer, NULL);
     a->reader.rest.length = 0;
     if (columns_row(NULL, &r->fault, a->task.source.columns, &a->reader, b, first))
         return;
-    int status = answer_row(&pair, &f, a);
+    int status = answer_row(&pair, &f, a, &q);
     if (!status && (object ? graze_pair_json : graze_pair_fields)(&answer, a->context, pair))
         status = fault_set(&f, EXIT_IO, "out of memory");
     int meets = !status && pair_meets(a->task.pairs, pair);
@@ -234,7 +289,8 @@ int pair_meets(const classify_options *o, const graze_pair *pair) {
            (o->pairs.overlap_alone ? GRAZE_PAIR_OVERLAP : GRAZE_PAIR_TOUCH);
 }
 
-int pairs_head(char **head, const classify_options *o, const char *notes, const char *others) {
+int pairs_head(char **head, const classify_options *o, const columns *c, const char *notes,
+               const char *others) {
     const struct pair_choice *all = &o->pairs;
     int first = all->options.first;
     HELD(text, t);
@@ -244,10 +300,16 @@ int pairs_head(char **head, const classify_options *o, const char *notes, const 
                 all->overlap_alone ? "# ask overlap\n" : "");
     if (all->clearance)
         text_format(&t, "# clearance %s\n", all->clearance);
+    if (all->motion_error)
+        text_format(&t, "# motion-error %s\n", all->motion_error);
     if (all->motion_of_fixed)
         text_format(&t, "# motion-of-fixed %s\n", all->motion_of_fixed);
-    text_format(&t, "%sid,%s%sverdict,word,first,first_near,%scells,status,message\n", notes,
-                others ? others : "", others ? "," : "", first ? "next," : "");
+    text_format(&t, "%sid,%s%s%s%s,status,message\n", notes, others ? others : "",
+                others ? "," : "",
+                has_error(c, o) ? "low,low_near,high,high_near" : "verdict,word,first,first_near,",
+                has_error(c, o) ? ""
+                : first         ? "next,cells"
+                                : "cells");
     *head = text_take(&t);
     return *head ? EXIT_DONE : complain(EXIT_IO, "out of memory");
 }

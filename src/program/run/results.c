@@ -98,7 +98,8 @@ static void put_head_notes(text *notes, const results *out, const row_source *so
 }
 
 /* Make the head of a table; `others` are the names of further columns, or NULL. */
-static int make_head(char **head, const results *out, const char *notes, const char *others) {
+static int make_head(char **head, const results *out, const columns *c, const char *notes,
+                     const char *others) {
     const struct site_choice *sites = &out->o->sites;
     graze_context *context = out->l->context;
     HELD(text, all);
@@ -109,7 +110,7 @@ static int make_head(char **head, const results *out, const char *notes, const c
     if (all.failed)
         return complain(EXIT_IO, "out of memory");
     if (out->o->pairs.wanted)
-        return pairs_head(head, out->o, notes, columns);
+        return pairs_head(head, out->o, c, notes, columns);
     graze_status made =
         sites->wanted
             ? graze_site_header(head, context, out->l->scene, notes, columns)
@@ -128,7 +129,7 @@ static field names_of(const char *head) {
 /* Make the head, with the further columns under names that no other column has. */
 static int make_free_head(char **head, const results *out, const row_source *source,
                           const char *notes) {
-    TRY(make_head(head, out, notes, NULL));
+    TRY(make_head(head, out, source->columns, notes, NULL));
     if (!source->columns || !source->columns->others)
         return EXIT_DONE;
     FREED(char, others, columns_free_names(source->columns, names_of(*head)));
@@ -136,7 +137,7 @@ static int make_free_head(char **head, const results *out, const row_source *sou
         return complain(EXIT_IO, "out of memory");
     graze_free(*head);
     *head = NULL;
-    return make_head(head, out, notes, others);
+    return make_head(head, out, source->columns, notes, others);
 }
 
 /* Begin a binary table, whose columns have the names in the last line of the head. */

@@ -102,11 +102,15 @@ typedef struct pair_question {
     graze_pair_options options; /* without size and clearance */
     field clearance;            /* a number; empty: 0 */
     field motion_error;         /* a number from 0 up; empty: none */
+    struct shelved
+        *held[PAIR_FILES]; /* NULL; pair_question_clear gives back what pair_decide took */
 } pair_question;
 
-/** Decide a pair. Each file is read once, until pairs_end frees it, after all pairs.
+/** Decide a pair. A file is read once as long as it is in use, and kept then as there is room.
  * @return EXIT_DONE, or the status of the fault */
-int pair_decide(graze_pair **out, fault *f, graze_context *context, const pair_question *q);
+int pair_decide(graze_pair **out, fault *f, graze_context *context, pair_question *q);
+/** Free a question, after its pair, and all files, after all pairs. */
+void pair_question_clear(pair_question *q);
 void pairs_end(void);
 /** Does a pair that was decided make exit status 1? */
 int pair_meets(const classify_options *o, const graze_pair *pair);
@@ -116,7 +120,8 @@ int pair_meets(const classify_options *o, const graze_pair *pair);
 void answer_pair(answerer *a, row_run *r, const block *b, size_t first);
 
 /** Make the head of a table of pairs. `others` are the names of further columns, or NULL. */
-int pairs_head(char **head, const classify_options *o, const char *notes, const char *others);
+int pairs_head(char **head, const classify_options *o, const columns *c, const char *notes,
+               const char *others);
 
 /* The scene of a certificate, in a form that graze-check reads. */
 

@@ -6,8 +6,9 @@
 #include "base/number/rounding.h"
 #include "questions/collide/near_pairs.h"
 
-/* The most cells of a solid, evenly chosen, that give points; halvings of an irrational time. */
-enum { MOST_ASKED = 64, HALVINGS = 40 };
+/* The most cells of a solid, evenly chosen, that give points; halvings of an irrational time, and
+ * places of a root; the most facets of a convex solid whose depths are found for all points. */
+enum { MOST_ASKED = 64, HALVINGS = 40, MOST_FACETS = 512 };
 
 typedef graze_pair collide; /* as a local that collide_clear clears */
 
@@ -43,7 +44,7 @@ static graze_status ask_entry(graze_time **best, graze_context *context, const g
 }
 
 /* Ask when a point, if it is in its solid, is deeper in the other one than the error less the
- * clearance. */
+ * clearance and, in a ball or capsule, less the least radius. */
 static graze_status ask_depth(graze_pair *pair, graze_context *context, int side, const fmpz *x) {
     int d = pair->pair.motion->dimension;
     LOCAL_VEC(fmpq, at, 4);
@@ -52,14 +53,110 @@ static graze_status ask_depth(graze_pair *pair, graze_context *context, int side
     const graze_solid solid = {.input.dimension = d, .curved = &curved};
     solid_pair asked = pair->pair;
     const graze_solid **own = side ? &asked.fixed : &asked.moving;
-    if (solid_locate(*own, x) == GRAZE_STATE_O)
+    if (asked.round[side])
+        clearance_least(at + 3, pair);
+    else if (solid_locate(*own, x) != GRAZE_STATE_O)
+        fmpq_set(at + 3, pair->distance);
+    else
         return GRAZE_OK;
     *own = &solid;
+    asked.round[side] = NULL;
     asked.complement = side ? 2 : 1;
     for (int i = 0; i < d; i++)
         fmpq_set_fmpz_frac(at + i, x + i, x + d);
-    fmpq_sub(at + 3, pair->error, pair->distance);
+    fmpq_sub(at + 3, pair->error, at + 3);
     return ask_entry(&pair->high, context, pair, &asked, at + 3, GRAZE_STATE_O);
+}
+
+/* Is a motion one that keeps all lengths, or none? */
+static int keeps_lengths(const graze_motion *motion) {
+    LOCAL_VEC(fmpz_poly, square, 2);
+    int keeps = 1;
+    for (size_t k = 0; motion && keeps && k < motion->piece_count; k++) {
+        const point_map *map = &motion->piece[k].forward;
+        keeps = point_map_scale(square, map);
+        fmpz_poly_sqr(square + 1, map->weight);
+        keeps = keeps && fmpz_poly_equal(square, square + 1);
+    }
+    return keeps;
+}
+
+/* Write the half-space of the points deeper than a length behind the plane of a simplex, or by up
+ * to 2^-40 of the length deeper; 0 if a vertex of the solid is before the plane. */
+static int put_deeper(text *out, const graze_solid *of, size_t simplex, const fmpq_t length) {
+    int d = of->input.dimension, before = 0;
+    LOCAL_VEC(fmpz, form, 8); /* then a vertex */
+    LOCAL_VEC(fmpq, by, 2);
+    _fmpz_vec_scalar_mul_si(form, form, d + 1, solid_plane(form, of, simplex));
+    for (uint32_t v = 0; v < of->input.vertex_count && !before; v++) {
+        homogeneous_vertex(form + 4, of, v);
+        before = form_sign(form, form + 4, d) > 0;
+    }
+    _fmpz_vec_dot(fmpq_numref(by), form, form, d);
+    fmpz_mul_2exp(fmpq_numref(by), fmpq_numref(by), 2 * HALVINGS);
+    csg_upper_root(by + 1, by);
+    fmpq_div_2exp(by + 1, by + 1, HALVINGS);
+    fmpq_mul(by, by + 1, length);
+    fmpq_add_fmpz(by, by, form + d);
+    fmpq_neg(by, by);
+    for (int i = 0; i < d; i++) {
+        text_put(out, i ? ", " : ", {\"halfspace\": {\"normal\": [");
+        text_integer(out, form + i);
+    }
+    text_put(out, "], \"offset\": \"");
+    text_rational(out, by);
+    text_put(out, "\"}}");
+    return !before;
+}
+
+/* Make the solid of all points of a convex one that are deeper than a length; NULL if it is not
+ * convex or has many facets. A solid without points is curved. */
+static graze_status make_core(graze_solid **out, graze_context *context, const graze_solid *of,
+                              const fmpq_t length) {
+    const graze_context given = *context;
+    int d = of->input.dimension, convex = of->cut.count <= MOST_FACETS;
+    LOCAL_VEC(fmpq, box, 6);
+    HELD(text, t);
+    solid_box(box, box + d, of);
+    text_format(&t, "{\"dimension\": %d, \"solid\": {\"intersection\": [{\"box\": {\"low\": [\"",
+                d);
+    for (int k = 0; k < 2 * d; k++) {
+        text_put(&t, k == d ? "\"], \"high\": [\"" : k ? "\", \"" : "");
+        text_rational(&t, box + k);
+    }
+    text_put(&t, "\"]}}");
+    for (size_t k = 0; k < of->cut.count && convex; k++)
+        convex = put_deeper(&t, of, k, length);
+    text_put(&t, "]}}");
+    if (!convex || t.failed)
+        return t.failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory") : GRAZE_OK;
+    context->rounding = GRAZE_ROUND_NONE; /* its numbers are those of the solid */
+    context->limits[GRAZE_LIMIT_DIGITS] = context->limits[GRAZE_LIMIT_LINE] = ULONG_MAX;
+    graze_status status =
+        solid_create_curved_text(out, context, "solid", t.data, t.length, of->input.sha256);
+    context->rounding = given.rounding;
+    memcpy(context->limits, given.limits, sizeof given.limits);
+    return status;
+}
+
+/* Ask when points of one solid are deeper in the other one, if that is convex, has few facets and
+ * keeps its lengths; *done tells that. */
+static graze_status ask_core(int *done, graze_pair *pair, graze_context *context, int side) {
+    solid_pair asked = pair->pair;
+    const graze_solid **other = side ? &asked.moving : &asked.fixed;
+    graze_solid *core = NULL;
+    LOCAL_VEC(fmpq, depth, 2); /* then 0 */
+    if (asked.round[!side] || !keeps_lengths(pair->frame) ||
+        (side && !keeps_lengths(pair->pair.motion)))
+        return GRAZE_OK;
+    fmpq_sub(depth, pair->error, pair->distance);
+    graze_status status = make_core(&core, context, *other, depth);
+    *done = core && (!core->curved || core->curved->form == CSG_EMPTY);
+    *other = core;
+    if (!status && *done && !core->curved)
+        status = ask_entry(&pair->high, context, pair, &asked, depth + 1, GRAZE_STATE_I);
+    graze_solid_destroy(core);
+    return status;
 }
 
 /* Ask about vertices and centres of simplices. */
@@ -114,6 +211,7 @@ static graze_status ask_touching(graze_pair *pair, graze_context *context) {
 
 graze_status collide_bound_first(graze_pair *pair, graze_context *context) {
     const pair_walk *walk = &pair->walk;
+    int done[2] = {0, 0};     /* all points of a solid have been asked about */
     LOCAL_VEC(fmpq, less, 3); /* the clearance and its least sum with radii, less the error; 0 */
     pair->pair.near = NULL;   /* from here on there are others */
     fmpq_sub(pair->distance, pair->distance, pair->error);
@@ -123,12 +221,15 @@ graze_status collide_bound_first(graze_pair *pair, graze_context *context) {
     pair->bounds.low = pair->start || !walk->contact_count ? pair->start : walk->contact[0].from;
     if (pair->bounds.low && (fmpq_sgn(less) >= 0 || fmpq_sgn(less + 1) >= 0))
         TRY(ask_entry(&pair->high, context, pair, &pair->pair, less, GRAZE_STATE_I));
-    else if (pair->bounds.low && !pair->pair.round[0] && !pair->pair.round[1])
+    else if (pair->bounds.low && (!pair->pair.round[0] || !pair->pair.round[1]))
         TRY(ask_entry(&pair->begun, context, pair, &pair->pair, less + 2, GRAZE_STATE_I));
-    if (pair->begun)
+    for (int side = 0; side < 2 && pair->begun; side++)
+        TRY(ask_core(&done[side], pair, context, side));
+    if (pair->begun && !pair->pair.round[0] && !pair->pair.round[1])
         TRY(ask_touching(pair, context));
     for (int side = 0; side < 2 && pair->begun; side++)
-        TRY(ask_cells(pair, context, side));
+        if (!done[side] && !pair->pair.round[!side])
+            TRY(ask_cells(pair, context, side));
     pair->bounds.high = pair->high;
     return pair->high ? time_canonicalise(pair->high, context) : GRAZE_OK;
 }
