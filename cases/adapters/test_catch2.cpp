@@ -2,10 +2,13 @@
  *
  * Catch2 2, one header (Debian 12):
  *     c++ -std=c++17 test_catch2.cpp $(pkg-config --cflags --libs graze) -o mine && ./mine
- * Catch2 3: add $(pkg-config --cflags --libs catch2-with-main)
+ * Catch2 3: add $(pkg-config --cflags --libs catch2-with-main), or -IFOLDER
+ * FOLDER/catch_amalgamated.cpp of its folder extras
  */
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
+#elif __has_include(<catch_amalgamated.hpp>)
+#include <catch_amalgamated.hpp>
 #else
 #define CATCH_CONFIG_MAIN
 #include <catch2/catch.hpp>

@@ -14,6 +14,7 @@ import pathlib
 import sys
 import tempfile
 import threading
+from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
@@ -173,12 +174,50 @@ def check_once(checks, graze, folder):
     thread.join(1)
 
 
+# The gap of both cubes is 4 - t, their depth the negative of it up to 1/2: R + ETA and R - ETA, or ETA - R below.
+ERRORS = [("1/4,,", "15/4", "17/4"), (",,", "4", "4"), ("1/4,1/8,", "29/8", "33/8"), ("1/8,1/4,", "29/8", "31/8"), ("1,,no", "3", ""), ("1/4,,yes", None, "without"),
+          ("-1,,", None, "below 0"), ("x,,", None, "x")]
+
+
+def check_errors(checks, graze, folder):
+    """The columns low and high; the option where a row has no error; those that never meet."""
+    lines = [(f"{given},solids/one.off,go.json,solids/one.off",) for given, _, _ in ERRORS] + [("1/4,,,solids/one.off,go.json,solids/aside.off",)]
+    put(folder / "errors.csv", lines, "motion_error,clearance,inside,moving,motion,fixed\n")
+    done = ask(graze, folder, "errors.csv")
+    rows = read(done.stdout)
+    checks.equal((done.returncode, list(rows[0])), (3, ["id", "low", "low_near", "high", "high_near", "status", "message"]), done.stderr)
+    for (given, low, high), row in zip(ERRORS, rows):
+        if low is None:
+            checks.holds(row["low"] == row["high"] == "" and row["status"] == "3" and row["message"], given, row)
+        else:
+            checks.equal((row["low"], row["high"], row["status"], row["message"]), (low, high, "1", ""), given)
+            checks.equal(float(row["low_near"]), float(Fraction(low)), given)
+    checks.equal((rows[-1]["low"], rows[-1]["high"], rows[-1]["status"]), ("", "", "0"))
+    put(folder / "few.csv", [("solids/one.off,go.json,solids/one.off",)], "moving,motion,fixed\n")
+    done = ask(graze, folder, "few.csv", "--motion-error", "1/4")
+    checks.holds("\n# motion-error 1/4\n" in done.stdout and [(row["low"], row["high"]) for row in read(done.stdout)] == [("15/4", "17/4")], done.stdout)
+    done = ask(graze, folder, "few.csv", "--motion-error", "1/4", "--format", "jsonl")
+    checks.equal(json.loads(done.stdout)["first"]["high"], "17/4", done.stderr)
+
+
+def check_many(checks, graze, folder):
+    """More bytes of files than stay in memory, each file twice: in turn, and at once by threads. Cube k is wider by k on its far side."""
+    many = folder / "many"
+    many.mkdir()
+    for k in range(9):
+        (many / f"{k}.off").write_text(off((-k, 0, 0), (1, 1, 1)) + 2 ** 17 * ("#" + 78 * " " + "\n"))
+    put(folder / "many.csv", [(f"solids/one.off,go.json,many/{k}.off",) for k in 2 * list(range(9))], "moving,motion,fixed\n")
+    for jobs in ("1", "2"):
+        done = ask(graze, folder, "many.csv", "--first", "--jobs", jobs)
+        checks.equal([row["first"] for row in read(done.stdout)], 18 * ["4"], done.stderr)
+
+
 def main():
     chosen, checks = options(__doc__), Checks()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         write(folder)
-        for check in (check_rows, check_alone, check_runs, check_ends, check_once):
+        for check in (check_rows, check_alone, check_runs, check_ends, check_once, check_errors, check_many):
             check(checks, chosen.graze, folder)
     checks.finish()
 

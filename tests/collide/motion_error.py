@@ -14,7 +14,7 @@ from collections import Counter
 from clearance import along_x
 from distances import solid
 from exact import Fraction as F
-from hand import BAR, CUBE, FULL_TURN, OCTA, POST, ROOF, SLAB, SPIKE, SQUARE, TINY, TURN, UPSIDE_DOWN, WALL, moved, plane, root
+from hand import BAR, CUBE, FULL_TURN, OCTA, POST, ROOF, SLAB, SPIKE, SQUARE, TINY, TURN, UPSIDE_DOWN, WALL, across, along, moved, plane, ring, root
 from pairs import Checks, Collide, options, time_is
 from round import Round, ball, capsule
 from times import time_root
@@ -79,6 +79,10 @@ scene("a face onto a vertex", block(-9, -9, 4, 9, 9, 5), moved(0, 6, [0], [0], [
 # The ridges cross at (0, 0, 0), 1 - t apart; a point t - 1 below the fixed one is (t - 1)/5^(1/2) from its sides, which have the slope 2:
 # (t - 1)^2 = 5/16
 scene("crossed ridges", ROOF, moved(0, 2, [0], [0], [-1, 1]), UPSIDE_DOWN, F(1, 4), F(3, 4), root([11, -32, 16], 1, 2))
+# Sides have the slope 3/4, so that the point h = t - 1 below the other's ridge is 4 h/5 deep: h = 5/16. The roof slides along both ridges, so that no point of
+# either solid stays at the crossing
+scene("crossed ridges that slide", along(30)(ring((0, 0), (-8, -6), (8, -6))), moved(0, 2, [-2, 2], [-3, 3], [-1, 1]), across(ring((0, 0), (8, 6), (-8, 6)), 30),
+      F(1, 4), F(3, 4), F(21, 16))
 # Bars along y and x cross over [-1, 1]^2, far from their middles: z = 5 - t and 4
 LONG = block(-1, -1, 5, 1, 30, 7)
 scene("crossed bars", LONG, moved(0, 4, [0], [0], [0, -1]), block(-30, -1, 2, 1, 1, 4), F(1, 4), F(3, 4), F(5, 4))
@@ -111,6 +115,12 @@ scene("a vertex in a solid that is stretched", block(0, -9, -9, 1, 9, 9), STRETC
 # the centre is 3 - t from Q's side, its radius is 1: 5/4 and 3/4; as the error: 2, and in Q; above: 9/4, and no bound
 for tag, error, low, high in (("below", F(1, 4), F(7, 4), F(9, 4)), ("as", 1, 1, 3), ("above", F(5, 4), F(3, 4), None)):
     scene(f"a ball with an error {tag} its radius", ball(1, 0, F(1, 2), F(1, 2)), along_x(0, 4), WALL, error, low, high)
+# In a large solid the far point of the ball is t - 2 deep, convex or with a notch beyond y = 9
+LARGE = plane(ring((3, -9), (20, -9), (20, 30), (15, 30), (15, 9), (3, 9)))
+scene("a ball in a large block", ball(1, 0, F(1, 2), F(1, 2)), along_x(0, 4), block(3, -9, -9, 20, 9, 9), F(5, 4), F(3, 4), F(13, 4))
+scene("a disk in a polygon with a notch", ball(1, 0, 0), moved(0, 4, [0, 1], [0]), LARGE, F(5, 4), F(3, 4), F(13, 4))
+# Q is the ball, S, [t - 9, t - 1] x [-9, 9]^2, comes: the gap is 4 - t - 1, and the ball's far point as deep as t - 5 + 1
+scene("a block around a ball", block(-9, -9, -9, -1, 9, 9), along_x(0, 8), ball(1, 3, 0, 0), F(5, 4), F(7, 4), F(17, 4))
 scene("a ball at a clearance", ball(1, 0, F(1, 2), F(1, 2)), along_x(0, 4), WALL, F(1, 4), F(5, 4), F(7, 4), F(1, 2))
 # centres (t^2 + 9)^(1/2) apart, radii 2 and 3: 6 and 4
 scene("two balls", ball(2, 0, 0, 0), moved(-6, 6, [0, 1], [3], [0]), ball(3, 0, 0, 0), 1, root([-27, 0, 1], -6, -5), root([-7, 0, 1], -3, -2))

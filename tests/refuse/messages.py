@@ -45,6 +45,7 @@ UNREACHED = {
     "cannot be waited for": "the system refuses to poll",
     "is empty; expected a file": "stands in a row of the table; collide-list-rows quotes it",
     "inside: %.*s: expected yes or no": "stands in a row of the table; collide-list-rows quotes it",
+    "a motion error goes without --first, --ask overlap and inside": "stands in a row of the table; collide-error-list quotes it",
     "a rank cannot begin": "needs a machine that lacks a file which another one has",
     "MPI cannot begin": "the system refuses a pipe",
     "PNG and PDF pictures need ": "tests/draw hides the library",
