@@ -81,10 +81,13 @@ def long(options):
     seed = ["--seed", options.seed]
     return [
         Stage("random suites at twice the scale", run_suites("--tier", "long", *seed, "--skip", "tests/memory/", "--skip", "tests/contact/probe",
-                                                             "--skip", "tests/check/golden", "--skip", "tests/distance/cgal")),
+                                                             "--skip", "tests/check/golden", "--skip", "tests/distance/cgal",
+                                                             "--skip", "tests/collide/distances", "--skip", "tests/collide/round")),
         Stage("1,000 contact points probed", suite("contact/probe", "--scale", "4", *seed), True),
         Stage("certificates of 300 rows a case", suite("check/golden", "--scale", "15", *seed), True),
         Stage("1,000 distances to Minkowski sums", suite("distance/cgal", "--scale", "4", *seed), True),
+        Stage("1,000 pairs at a clearance", suite("collide/distances", "--scale", "17", *seed), True),
+        Stage("2,000 round pairs and traces", suite("collide/round", "--scale", "25", *seed), True),
         Stage("forged certificates of all cases", script("check/forged.py", "--scale", "2"), True),
         Stage("packages of Python", script("python/packages.py"), True),
         Stage("tests in Catch2, doctest, GoogleTest", script("adapters/adapters.py", "--all"), True),

@@ -9,7 +9,7 @@
 /**
  * Append all real roots of q in a closed interval, each once, ascending (proofs/claims.md C24,
  * C25). After a failure some may be missing.
- * @param q not zero
+ * @param q zero is taken as a constant that has none
  */
 graze_status algebraic_roots(algebraic_list *list, graze_context *context, const fmpz_poly_t q,
                              const dyadic_interval *interval);

@@ -17,8 +17,9 @@ typedef struct finder {
 
 /* Append the roots of q in the interval, unless q is zero. */
 static void find_times(algebraic_list *roots, finder *f, const fmpz_poly_t q) {
-    if (!f->p->status && !fmpz_poly_is_zero(q) && !certainly_rootless(q, f->interval))
-        f->p->status = algebraic_roots(roots, f->p->context, q, f->interval);
+    graze_status *status = &f->p->status;
+    if (!certainly_rootless(q, f->interval))
+        *status = *status ? *status : algebraic_roots(roots, f->p->context, q, f->interval);
 }
 
 /* Note the times at which two features are at the clearance, unless they always are; of a vertex

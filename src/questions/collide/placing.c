@@ -121,11 +121,12 @@ void placing_plane(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex
 
 void placing_side(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex, int k,
                   uint32_t vertex) {
-    LOCAL_VEC(fmpz, plane, 8);
-    known_plane(plane, &p->forms[side], placing_solid(p, side), simplex);
-    pull_to_vertex(
-        out, p, side,
-        known_side(plane + 4, &p->forms[side], placing_solid(p, side), simplex, plane, k), vertex);
+    const graze_solid *solid = placing_solid(p, side);
+    LOCAL_VEC(fmpz, plane, 4);
+    LOCAL_VEC(fmpz, room, 4);
+    known_plane(plane, &p->forms[side], solid, simplex);
+    pull_to_vertex(out, p, side, known_side(room, &p->forms[side], solid, simplex, plane, k),
+                   vertex);
 }
 
 void homogeneous_vertex(fmpz *out, const graze_solid *solid, uint32_t vertex) {

@@ -21,12 +21,13 @@ static int form_sign_there(finder *f, const fmpz *form) {
 
 static void look_at_simplex(finder *f, uint32_t simplex) {
     star_simplex found = {.simplex = simplex};
-    LOCAL_VEC(fmpz, plane, 8);
+    LOCAL_VEC(fmpz, plane, 4);
+    LOCAL_VEC(fmpz, room, 4);
     known_plane(plane, &f->p->forms[f->side], f->solid, simplex);
     int held = form_sign_there(f, plane) == 0;
     for (int k = 0; k < f->solid->input.dimension && held; k++) {
         int sign = form_sign_there(
-            f, known_side(plane + 4, &f->p->forms[f->side], f->solid, simplex, plane, k));
+            f, known_side(room, &f->p->forms[f->side], f->solid, simplex, plane, k));
         held = sign >= 0;
         found.zero |= sign == 0 ? 1u << k : 0;
     }
