@@ -71,7 +71,7 @@ class Outlines(unittest.TestCase):
             graze.Scene(SQUARE, TURN).outline().polygon(1e-20)
 
     def test_polygon_on_a_side(self):
-        """Of [0, 5] x [0, 4] without [2, 3] x [1, 3], which has the area 18: corners are strictly inside or outside both rings."""
+        """The set is [0, 5] x [0, 4] without [2, 3] x [1, 3], area 18: corners are strictly inside or outside both rings."""
         outline = graze.Scene(FRAME, along("t", "0")).outline()
         for side, sign in (("inside", 1), ("outside", -1)):
             (shell, hole), = outline.to_geojson(0.25, side)["coordinates"]

@@ -57,7 +57,7 @@ static void join_last(outline_polygon *p, size_t first) {
 }
 
 /* Make a ring of the edges from one on; drop them if they are less than three. */
-static void end_ring(outline_polygon *p, size_t first) {
+static void close_shifted(outline_polygon *p, size_t first) {
     while (p->count > first + 1 && is_short_edge(&p->edge[p->count - 1], &p->edge[first]))
         p->count--;
     if (p->count < first + 3)
@@ -114,7 +114,7 @@ static double edge_distance(const slong *at, const outline_polygon *p, size_t k)
 /* Append the corners at the end of edge e, which edge f follows: where the shifted edges are apart
  * the point at which their lines meet, or two of a cap at a sharp corner; where they overlap, that
  * point too if both are long, else both their ends, with a point near the corner between. */
-static graze_status put_joint(shifting *w, size_t first, size_t e, size_t f) {
+static graze_status shift_corner(shifting *w, size_t first, size_t e, size_t f) {
     double u[2], v[2];
     double least = fmin(edge_direction(u, w->near, e), edge_direction(v, w->near, f));
     double cross = w->left * (u[0] * v[1] - u[1] * v[0]), dot = u[0] * v[0] + u[1] * v[1];
@@ -151,10 +151,10 @@ static graze_status shift_rings(shifting *w) {
         do {
             f = long_edge_after(near, e);
             if (f != e)
-                TRY(put_joint(w, first, e, f));
+                TRY(shift_corner(w, first, e, f));
             e = f;
         } while (e != start);
-        end_ring(p, first);
+        close_shifted(p, first);
     }
     for (size_t k = 0; k < p->count; k++) {
         shift_record *begin;
@@ -266,7 +266,7 @@ static graze_status take_ring(shifting *w, size_t start) {
         join_last(out, first);
         k = r->after ? n + ((r->after - n) ^ 1) : e->next;
     } while (k != start);
-    end_ring(out, first);
+    close_shifted(out, first);
     return GRAZE_OK;
 }
 
