@@ -75,7 +75,7 @@ Version {version}, {rows} rows of {scenes} scenes, {cases} golden cases with {ca
 
 ```python
 import pandas
-rows = pandas.read_csv("benchmark.csv.gz", float_precision="round_trip")
+rows = pandas.read_csv("benchmark.csv.gz", float_precision="round_trip", low_memory=False)
 print(rows.groupby("family").pmc.value_counts())
 ```
 
