@@ -527,6 +527,24 @@ def test_judge(browser, graze, folder):
     check(pixels(browser, "space") != before, "the mesh is not seen")
 
 
+def test_arcs(browser, graze, folder):
+    """A square moved along a leg, askew: two arcs are paths of vertices, the others edges at the ends of the motion, each in its colour and named."""
+    square, motion, page = (os.path.join(folder, name) for name in ("square.wkt", "askew.json", "arcs.html"))
+    with open(square, "w", encoding="utf-8") as file:
+        file.write("POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n")
+    with open(motion, "w", encoding="utf-8") as file:
+        file.write('{"dimension": 2, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["3*t", "t"]}}]}')
+    run(graze, "draw", square, motion, "-o", page)
+    opened(browser, page)
+    groups = browser.value("graze.sweep.children[0].children.map((lines) => [lines.geometry.index.count / 2, lines.material.color.getHexString()])")
+    check(groups == [[2, "0072b2"], [4, "d55e00"], [0, "cc79a7"]], "lines by source", groups)
+    name = browser.value("document.getElementById('sweep-name').innerText")
+    check(name == "boundary of the sweep · path of a vertex · edge at one time", "sources are named", name)
+    before = pixels(browser, "space")
+    browser.value("document.getElementById('show-sweep').click()")
+    check(pixels(browser, "space") != before, "the arcs are not seen")
+
+
 def main():
     args = options(__doc__, PICTURES)
     browser = Chromium()
@@ -547,6 +565,8 @@ def main():
             shoot("filters")
             test_compare(browser, args.graze, folder)
             shoot("compare")
+            test_arcs(browser, args.graze, folder)
+            shoot("arcs")
             test_judge(browser, args.graze, folder)
             shoot("judge")
             test_notebook(browser, args.graze, folder)

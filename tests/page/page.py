@@ -12,6 +12,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import base64
 import csv
 import json
+import math
 import os
 import re
 import struct
@@ -256,6 +257,35 @@ def test_page(graze, folder):
     test_surface(graze, folder, data, 4)
 
 
+def test_arcs(graze, folder):
+    """[0, 2] x [0, 1] by a quarter turn about the origin: its corner (2, 1) runs on the circle of radius sqrt 5, from y = 1 to x = -1; else the boundary
+    is of edges at both ends of the motion, on x = 0, 2, -1 and y = 0, 2. Bounds are the lines' distance, 2^-13 of 3.24, and that of 32-bit floats. The area is
+    5 pi/4 + 2. Beyond a limit the boundary is sampled."""
+    solid, motion, page = (os.path.join(folder, name) for name in ("bar.wkt", "quarter.json", "arcs.html"))
+    with open(solid, "w", encoding="utf-8") as file:
+        file.write("POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))\n")
+    with open(motion, "w", encoding="utf-8") as file:
+        file.write('{"dimension": 2, "pieces": [{"t": ["0", "1"], "transform": {"turn": {"quarters": 1}}}]}')
+    run(graze, "draw", solid, motion, "-o", page, "--grid", 4)
+    _, data = read_page(page)
+    low, high = data["box"][:2], data["box"][2:]
+    flat = numbers(data["surface"]["vertices"], "f", 4)
+    at = [tuple(flat[k + i] + (low[i] + high[i]) / 2 for i in (0, 1)) for k in range(0, len(flat), 2)]
+    lines = {source: list(zip(*[iter(numbers(text, "I", 4))] * 2)) for source, text in data["surface"]["sources"].items()}
+    check(sorted(lines) == ["edge", "envelope", "path"] and not lines["envelope"], "sources", sorted(lines))
+    path = [at[v] for line in lines["path"] for v in line]
+    check(path and all(abs(math.hypot(x, y) - 5 ** .5) < 1e-6 and x > -1 - 1e-6 and y > 1 - 1e-6 for x, y in path), "path", path[:4])
+    check(len(lines["path"]) > 15, "lines of the circle", len(lines["path"]))
+    check(all(any(max(abs(p[i] - c), abs(q[i] - c)) < 1e-6 for i, c in ((0, 0), (0, 2), (0, -1), (1, 0), (1, 2)))
+              for p, q in ((at[a], at[b]) for a, b in lines["edge"])), "edges", lines["edge"])
+    every = [line for some in lines.values() for line in some]
+    check(sorted(a for a, _ in every) == sorted(b for _, b in every) == list(range(len(at))), "each vertex begins a line and ends one", len(every))
+    area = sum(at[a][0] * at[b][1] - at[b][0] * at[a][1] for a, b in every) / 2
+    check(0 <= 5 * math.pi / 4 + 2 - area < 3.24 / 2 ** 13 * 4, "area", area)
+    run(graze, "draw", solid, motion, "-o", page, "--grid", 4, "--limit", "curve=1", "--surface", "4")
+    check(read_page(page)[1]["surface"].get("level") == 4, "sampled beyond a limit")
+
+
 def test_cases(graze, folder):
     page = os.path.join(folder, "case.html")
     for name, more in (("bracket", []), ("figures-5-7-8", []), ("figure2-rotation-3d", []), ("bracket", ["--operation", "unsweep"]),
@@ -380,6 +410,7 @@ def main():
     graze = options(__doc__).graze
     with tempfile.TemporaryDirectory() as folder:
         test_page(graze, folder)
+        test_arcs(graze, folder)
         test_cases(graze, folder)
         test_motion(graze, folder)
         test_curved(graze, folder)

@@ -8,11 +8,6 @@
 /* Pixels from an arc to its lines. */
 static const double ARC_FINENESS = 1. / 16;
 
-static curve_source arc_source(const picture *p, const polygon_edge *e) {
-    const outline_arc *arc = &p->outline.arc[e->arc];
-    return p->outline.curve[p->outline.piece[p->outline.arc_piece[arc->first]].curve].source;
-}
-
 graze_status arcs_make(picture *p, graze_context *context) {
     if (p->scene->motion->dimension != 2 || p->request->by_distance || p->scene->solid->curved)
         return GRAZE_OK;
@@ -22,7 +17,7 @@ graze_status arcs_make(picture *p, graze_context *context) {
             outline_polygon_make(&p->arcs, &p->outline, context, ARC_FINENESS / p->classes.scale);
     p->has_arcs = !status;
     for (size_t k = 0; k < p->arcs.count && p->has_arcs; k++)
-        p->legend.sources[arc_source(p, &p->arcs.edge[k])] = 1;
+        p->legend.sources[outline_arc_source(&p->outline, p->arcs.edge[k].arc)] = 1;
     return status == GRAZE_ELIMIT ? GRAZE_OK : status; /* the parts of cells show the border */
 }
 
@@ -49,7 +44,7 @@ void arcs_draw(canvas *c, const picture *p) {
             double x[2], y[2];
             map_start(&x[0], &y[0], p, e);
             map_start(&x[1], &y[1], p, &p->arcs.edge[e->next]);
-            if ((int)arc_source(p, e) == source)
+            if ((int)outline_arc_source(&p->outline, e->arc) == source)
                 drawn_path_line(&lines, x[0], y[0], x[1], y[1]);
         }
         canvas_path(c, &lines, &arc_style[source], curve_source_names[source]);

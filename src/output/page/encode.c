@@ -52,13 +52,16 @@ void encode_double(encoder *e, double value) {
         encode_byte(e, (unsigned char)(bits >> 8 * k));
 }
 
+void encode_float(encoder *e, double value) {
+    float rounded = (float)value;
+    uint32_t bits;
+    memcpy(&bits, &rounded, sizeof bits);
+    encode_count(e, bits);
+}
+
 void encode_place(encoder *e, const fmpq *place, const double *centre, int d) {
-    for (int k = 0; k < d; k++) {
-        float value = (float)(fmpq_get_d(place + k) - centre[k]);
-        uint32_t bits;
-        memcpy(&bits, &value, sizeof bits);
-        encode_count(e, bits);
-    }
+    for (int k = 0; k < d; k++)
+        encode_float(e, fmpq_get_d(place + k) - centre[k]);
 }
 
 void encode_count(encoder *e, uint32_t value) {

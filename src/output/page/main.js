@@ -252,13 +252,15 @@ function fillTexts() {
   const surface = scene.surface, name = unsweep ? "unsweep" : "sweep";
   document.title = scene.title || "Graze";
   $("title").textContent = document.title;
-  $("remark").textContent = "classified exactly" + (surface
+  $("remark").textContent = "classified exactly" + (surface && surface.sources ? ` · boundary of the ${name} by its exact arcs` : surface
     ? ` · boundary of the ${name} sampled at level ${surface.level}, details smaller than a cell may be missing` : "") + (scene.primitives ? " · S is drawn as triangles made for the eye" : "") + (zero ? ` · t0 = ${decimal(zero, 17).text}` : "") + ` · graze ${scene.version}`;
   $("distances").hidden = !scene.mesh;
   for (const [id, sign] of [["mesh-inside", "−"], ["mesh-outside", ""]]) $(id).textContent = sign + meshMost.toPrecision(3);
   $("world-title").textContent = scene.mesh ? "S at time t and the mesh" : unsweep ? "M(t)⁻¹S and the unsweep" : "S at time t and the sweep";
   $("body-title").textContent = (unsweep ? "M(t)P" : "M(t)⁻¹P, the inverted trajectory of the point,") + " through the standing S";
   $("sweep-name").textContent = scene.mesh ? "mesh" : d === 2 ? `boundary of the ${name}` : name;
+  for (const [source, index] of Object.entries((surface && surface.sources) || {}))
+    if (index) $("sweep-name").append(" · ", Object.assign(document.createElement("span"), {textContent: ARCS[source][0], style: `color: ${ARCS[source][1]}`}));
   $("cells-name").textContent = d === 2 ? "classes" : `classes in ${scene.cells.plane}`;
   document.body.dataset.points = pointCount ? "some" : "none";
   const [low, high] = worldBounds;

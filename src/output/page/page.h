@@ -36,6 +36,7 @@ typedef struct encoder {
 void encode_begin(encoder *e, json_writer *w, const char *key);
 void encode_byte(encoder *e, unsigned char byte);
 void encode_double(encoder *e, double value);
+void encode_float(encoder *e, double value);
 /** Add a point of d coordinates as 32-bit floats, relative to the centre of the page's box. */
 void encode_place(encoder *e, const fmpq *place, const double *centre, int d);
 void encode_count(encoder *e, uint32_t value);

@@ -6,6 +6,7 @@
 #include <math.h>
 #include "base/context/scope.h"
 #include "questions/boundary/boundary.h"
+#include "questions/outline/outline.h"
 
 static graze_status put_shown_edges(json_writer *w, graze_context *context,
                                     const graze_solid *solid) {
@@ -107,6 +108,48 @@ static void put_surface(json_writer *w, const struct graze_boundary *b, const do
     json_close(w, '}');
 }
 
+static void put_arcs(json_writer *w, const outline_polygon *p, const double *centre) {
+    encoder e;
+    json_open(w, "surface", '{');
+    encode_begin(&e, w, "vertices");
+    for (size_t k = 0; k < p->count; k++)
+        for (int i = 0; i < 2; i++)
+            encode_float(&e, ldexp((double)p->edge[k].at[i], -(int)p->places) - centre[i]);
+    encode_end(&e);
+    json_open(w, "sources", '{');
+    for (int source = 0; source < 3; source++) {
+        encode_begin(&e, w, curve_source_names[source]);
+        for (size_t k = 0; k < p->count; k++)
+            if ((int)outline_arc_source(p->o, p->edge[k].arc) == source) {
+                encode_count(&e, (uint32_t)k);
+                encode_count(&e, (uint32_t)p->edge[k].next);
+            }
+        encode_end(&e);
+    }
+    json_close(w, '}');
+    json_close(w, '}');
+}
+
+typedef graze_outline outline; /* as a local that outline_clear clears */
+
+/* Put the arcs of the exact outline of a polygon's sweep, by their sources; GRAZE_ELIMIT where they
+ * are beyond a limit. */
+static graze_status put_outline(json_writer *w, graze_context *context, const graze_scene *scene,
+                                const double *centre) {
+    static const double FINENESS = 1. / 8192; /* of the longest side of the box */
+    ZEROED(outline, o);
+    ZEROED(outline_polygon, p);
+    LOCAL_VEC(fmpq, box, 4);
+    double size = 0;
+    TRY(scene_box(box, box + 2, context, scene));
+    for (int k = 0; k < 2; k++)
+        size = fmax(size, fmpq_get_d(box + 2 + k) - fmpq_get_d(box + k));
+    TRY(outline_make(&o, context, scene, 1));
+    TRY(outline_polygon_make(&p, &o, context, FINENESS * size));
+    put_arcs(w, &p, centre);
+    return GRAZE_OK;
+}
+
 graze_status page_surface(json_writer *w, graze_context *context, const graze_scene *scene,
                           const draw_request *request, const double *centre) {
     enum { CONTACTS = 300, BUDGET = 1000000 };
@@ -115,6 +158,10 @@ graze_status page_surface(json_writer *w, graze_context *context, const graze_sc
         json_text(w, "surface", NULL);
         return GRAZE_OK;
     }
+    graze_status status =
+        scene->motion->dimension == 2 ? put_outline(w, context, scene, centre) : GRAZE_ELIMIT;
+    if (status != GRAZE_ELIMIT)
+        return status;
     const graze_boundary_options options = {.coarse = coarse < request->surface ? coarse
                                                                                 : request->surface,
                                             .depth = request->surface,
@@ -123,7 +170,7 @@ graze_status page_surface(json_writer *w, graze_context *context, const graze_sc
                                             .seed = 1,
                                             .sharp = 1};
     struct graze_boundary b;
-    graze_status status = boundary_make(&b, context, scene, &options, request->low, request->high);
+    status = boundary_make(&b, context, scene, &options, request->low, request->high);
     if (!status)
         put_surface(w, &b, centre);
     boundary_clear(&b);

@@ -28,7 +28,7 @@ class View {
     this.canvas = document.getElementById(id);
     this.sheet = document.getElementById(id + "-sheet");
     this.annotate = annotate;
-    const light = (scene.surface ? scene.surface.faces.length / 16 : 0) < 100000;
+    const light = (scene.surface && scene.surface.faces ? scene.surface.faces.length / 16 : 0) < 100000;
     this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, antialias: light, preserveDrawingBuffer: true});
     this.scene = new THREE.Scene();
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0x888888, 2.2));

@@ -119,11 +119,20 @@ function moveTo(group, t) {
 const meshDistances = scene.mesh ? doubles(scene.mesh.distances) : [], MESH_TINTS = ["#0072b2", "#f0f0f0", "#d55e00"];
 const meshMost = meshDistances.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
 
+/** Sources of the arcs of an exact boundary: what they are, and their colours, as in a picture. */
+const ARCS = {path: ["path of a vertex", "#0072b2"], edge: ["edge at one time", "#d55e00"], envelope: ["envelope of an edge", "#cc79a7"]};
+
 /** The boundary of the sweep. */
 function sweepObject() {
-  const faces = counts(scene.surface.faces), array = centred(floats(scene.surface.vertices), [0, 0, 0]);
+  const array = centred(floats(scene.surface.vertices), [0, 0, 0]), lines = (index, color) => new THREE.LineSegments(shell(array, counts(index)), new THREE.LineBasicMaterial({color}));
+  if (scene.surface.sources) {
+    const group = new THREE.Group();
+    for (const [source, index] of Object.entries(scene.surface.sources)) group.add(lines(index, colour(ARCS[source][1])));
+    return group;
+  }
+  if (d === 2) return lines(scene.surface.faces, tint("ink"));
+  const faces = counts(scene.surface.faces);
   const geometry = shell(array, faces);
-  if (d === 2) return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({color: tint("ink")}));
   return new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({color: tint("sweep"), side: THREE.DoubleSide, flatShading: true,
     transparent: true, opacity: 0.5, depthWrite: false}));
 }

@@ -5,6 +5,10 @@
 #include "base/number/rounding.h"
 #include "questions/outline/arc_complex.h"
 
+curve_source outline_arc_source(const graze_outline *o, size_t arc) {
+    return o->curve[o->piece[o->arc_piece[o->arc[arc].first]].curve].source;
+}
+
 void measure_init(outline_measure *m) {
     m->is_exact = 1;
     fmpq_init(m->exact);

@@ -185,6 +185,9 @@ int outline_sign(const outline_measure *m);
 const outline_piece *outline_last_of(const graze_outline *o, const outline_arc *arc,
                                      const outline_piece *first);
 
+/** The source of an arc. */
+curve_source outline_arc_source(const graze_outline *o, size_t arc);
+
 /** Bounds of a measure. */
 void outline_rational_bounds(fmpq_t low, fmpq_t high, const graze_outline *o,
                              const outline_measure *m);
