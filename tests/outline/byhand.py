@@ -349,6 +349,8 @@ unsweep("box that is passed, nothing", TWO, legs([(0, 0), (3, 0)]), F(0), **NOTH
 unsweep("box that is passed, a segment", TWO, legs([(0, 0), (2, 0)]), F(0), lower=2, **NOTHING)
 # (0, 0) alone runs to (2, 2)
 unsweep("box that is passed, a point", TWO, legs([(0, 0), (2, 2)]), F(0), points=1, **NOTHING)
+# Each of two boxes, 6 apart, leaves one.
+unsweep("boxes that are passed, two points", Polygon([[box_ring(0, 0, 2, 2)], [box_ring(8, 0, 10, 2)]]), legs([(0, 0), (2, 2)]), F(0), points=2, **NOTHING)
 # the points that stay in the frame: the hole becomes [2 - 1, 4], the box [0, 5] x [0, 6]
 unsweep("frame unswept", FRAME, legs([(0, 0), (1, 0)]), F(30 - 6), holes=1, length=number(22 + 10))
 
