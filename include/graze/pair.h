@@ -150,8 +150,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_pair_json(char **out, graze_context *
                                                      const graze_pair *pair);
 /** Fields of a pair in a table (formats.md, Lists of pairs), with commas between them: verdict,
  * word, first, first_near, with the option `first` next, and cells; with a motion error low,
- * low_near, high, high_near. @param[out] out text for
- * graze_free
+ * low_near, high, high_near. @param[out] out text for graze_free
  * @return GRAZE_EUSE, GRAZE_ESYSTEM */
 GRAZE_API GRAZE_CHECKED graze_status graze_pair_fields(char **out, graze_context *context,
                                                        const graze_pair *pair);

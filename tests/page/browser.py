@@ -12,6 +12,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import collections
 import csv
+import json
 import os
 import subprocess
 import sys
@@ -49,6 +50,17 @@ def opened(browser, path):
     check(browser.open(path), path, "is not ready")
     check(not browser.faults(), path, browser.faults())
     check(browser.value("graze.errors.length") == 0, path, browser.value("graze.errors"))
+
+
+def open_moved(browser, graze, folder, solid, x, y, *arguments):
+    """Open the page of a planar solid, WKT or a tree, that is moved from t = 0 to 1 by (x, y)."""
+    paths = [os.path.join(folder, name) for name in ("moved.csg.json" if solid.startswith("{") else "moved.wkt", "moved.json", "moved.html")]
+    motion = {"dimension": 2, "pieces": [{"t": [0, 1], "transform": {"translate": [x, y]}}]}
+    for path, text in zip(paths, (solid, json.dumps(motion))):
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+    run(graze, "draw", *paths[:2], *arguments, "-o", paths[2])
+    opened(browser, paths[2])
 
 
 def pixels(browser, view):
@@ -317,13 +329,7 @@ def test_narrow(browser, graze, folder):
 
 def test_beside(browser, graze, folder):
     """A point 1 above the box of a sweep 3 high and 12 wide is in sight, one 100 above is not."""
-    solid, motion, page = (os.path.join(folder, name) for name in ("beside.wkt", "beside.json", "beside.html"))
-    with open(solid, "w", encoding="utf-8") as file:
-        file.write("POLYGON ((0 0, 4 0, 4 3, 0 3, 0 0))")
-    with open(motion, "w", encoding="utf-8") as file:
-        file.write('{"dimension": 2, "pieces": [{"t": [0, 1], "transform": {"translate": ["8*t", 0]}}]}')
-    run(graze, "draw", solid, motion, "-p", "6,4", "-p", "6,103", "-p", "6,1", "-o", page)
-    opened(browser, page)
+    open_moved(browser, graze, folder, "POLYGON ((0 0, 4 0, 4 3, 0 3, 0 0))", "8*t", "0", "-p", "6,4", "-p", "6,103", "-p", "6,1")
     top = browser.value("graze.space.canvas.getBoundingClientRect().top")
     seen = [browser.value(f"graze.pixelOf({k})")[1] - top > 6 for k in range(3)]
     check(seen == [True, False, True], "points in sight", seen)
@@ -419,13 +425,8 @@ def test_loading(browser, graze, folder):
 
 def test_rings(browser, graze, folder):
     """A disk in the hole of a ring, 1 < r < 2 and r < 1/2, is filled where it is solid."""
-    solid, motion, page = (os.path.join(folder, name) for name in ("ring.csg.json", "ring.json", "ring.html"))
-    with open(solid, "w", encoding="utf-8") as file:
-        file.write('{"dimension": 2, "solid": {"union": [{"difference": [{"ball": {"radius": 2}}, {"ball": {"radius": 1}}]}, {"ball": {"radius": "1/2"}}]}}')
-    with open(motion, "w", encoding="utf-8") as file:
-        file.write('{"dimension": 2, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["8*t", "0"]}}]}')
-    run(graze, "draw", solid, motion, "--grid", 20, "-o", page)
-    opened(browser, page)
+    ring = '{"dimension": 2, "solid": {"union": [{"difference": [{"ball": {"radius": 2}}, {"ball": {"radius": 1}}]}, {"ball": {"radius": "1/2"}}]}}'
+    open_moved(browser, graze, folder, ring, "8*t", "0", "--grid", 20)
     paper, filled = browser.value("['paper', 'solid'].map(n => getComputedStyle(document.documentElement).getPropertyValue('--' + n).trim())")
     for radius, want in ((0, filled), (.4, filled), (.75, paper), (1.2, filled), (1.8, filled), (2.2, paper)):
         for way in ((1, 0), (0, 1), (-.6, .8)):
@@ -436,13 +437,7 @@ def test_rings(browser, graze, folder):
 
 def test_slides(browser, graze, folder):
     """The U: (6, 3) slides along two edges between vertices, (6, 1) crosses, slides along one and crosses again."""
-    solid, motion, page = (os.path.join(folder, name) for name in ("u.wkt", "u.json", "u.html"))
-    with open(solid, "w", encoding="utf-8") as file:
-        file.write("POLYGON ((0 0, 4 0, 4 3, 3 3, 3 1, 1 1, 1 3, 0 3, 0 0))")
-    with open(motion, "w", encoding="utf-8") as file:
-        file.write('{"dimension": 2, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["8*t", "0"]}}]}')
-    run(graze, "draw", solid, motion, "-p", "6,3", "-p", "6,1", "--grid", 20, "-o", page)
-    opened(browser, page)
+    open_moved(browser, graze, folder, "POLYGON ((0 0, 4 0, 4 3, 3 3, 3 1, 1 1, 1 3, 0 3, 0 0))", "8*t", "0", "-p", "6,3", "-p", "6,1", "--grid", 20)
     for k, want in enumerate((["Sv", "Sv", "Te", "Sv", "Sv", "Te"], ["Xe", "Sv", "Sv", "Te", "Xe"])):
         browser.value(f"graze.choose({k})")
         got = browser.value("graze.trails.children.map(e => e.name).filter(Boolean)")
@@ -529,13 +524,7 @@ def test_judge(browser, graze, folder):
 
 def test_arcs(browser, graze, folder):
     """A square moved along a leg, askew: two arcs are paths of vertices, the others edges at the ends of the motion, each in its colour and named."""
-    square, motion, page = (os.path.join(folder, name) for name in ("square.wkt", "askew.json", "arcs.html"))
-    with open(square, "w", encoding="utf-8") as file:
-        file.write("POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n")
-    with open(motion, "w", encoding="utf-8") as file:
-        file.write('{"dimension": 2, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["3*t", "t"]}}]}')
-    run(graze, "draw", square, motion, "-o", page)
-    opened(browser, page)
+    open_moved(browser, graze, folder, "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))", "3*t", "t")
     groups = browser.value("graze.sweep.children[0].children.map((lines) => [lines.geometry.index.count / 2, lines.material.color.getHexString()])")
     check(groups == [[2, "0072b2"], [4, "d55e00"], [0, "cc79a7"]], "lines by source", groups)
     name = browser.value("document.getElementById('sweep-name').innerText")

@@ -15,11 +15,10 @@ typedef struct finder {
     const dyadic_interval *interval;
 } finder;
 
-/* Append the roots of q in the interval, unless q is zero. */
+/* Append the roots of q in the interval; zero counts as having none. */
 static void find_times(algebraic_list *roots, finder *f, const fmpz_poly_t q) {
-    graze_status *status = &f->p->status;
-    if (!certainly_rootless(q, f->interval))
-        *status = *status ? *status : algebraic_roots(roots, f->p->context, q, f->interval);
+    if (!f->p->status && !certainly_rootless(q, f->interval))
+        f->p->status = algebraic_roots(roots, f->p->context, q, f->interval);
 }
 
 /* Note the times at which two features are at the clearance, unless they always are; of a vertex
