@@ -153,6 +153,17 @@ ARCH_AREA = 2 * (2 - integral([0, 0, 1], -1, 0)) + 1 + 2 * integral([0, 0, 1], F
 scene("square along a parabola", UNIT, ARCH, ARCH_AREA)
 scene("square along a parabola and back", UNIT, build([(-1, 1, translate([[0, 1], [0, 0, 1]])), (1, 3, translate([[2, -1], [4, -4, 1]]))]),
       ARCH_AREA)
+# a square of side e: [x - e, x] in [-1, 1] in place of [x - 1, x]: e wide, e (2 + e); at both ends 2 (e² - e³ / 3); before 0 e² - 2 e x on
+# [e - 1, 0]; the greater of x² and (x - e)² on [0, e], 7 e³ / 12; then 2 e x - e². In all 4 e + e² - e³ / 12. Both long sides are as long as the
+# parabola but for less than 8 e, which 60 digits do not hold
+TINY = F(1, 2 ** 200)
+scene("square of side 2^-200 along a parabola", box(0, 0, TINY, TINY), ARCH, 4 * TINY + TINY ** 2 - TINY ** 3 / 12,
+      length=2 * sqrt(5) + log(2 + sqrt(5)), fine=True)
+# A triangle with legs of e, its right angle and a tip as far as 1 and 1 + e from the centre: rings are whole between both, so that the turn by π/2 adds
+# π/2 ((1 + e)² - 1) / 2 to e² / 2, and arcs of both radii, π/2 (2 + e), to less than 4 e
+SLIM = F(1, 2 ** 120)
+scene("triangle of side 2^-120, a quarter turn", plane(ring((1, 0), (1 + SLIM, 0), (1, SLIM))), quarters(1),
+      number(SLIM ** 2 / 2) + PI / 4 * number(2 * SLIM + SLIM ** 2), length=PI, fine=True)
 # A unit square with (0, 0) as its lower left corner, and a triangle below with y <= 2 x <= 0, along (t, t²): while t < 0 the corner's path has
 # the square above it and the triangle below, and neither comes over it: a seam, half of the parabola; from t = 0 on, where the corner
 # moves along the square's side, the square comes over it. Columns with the triangle, whose top is x² and 3 + 2 x left of -1, its floor

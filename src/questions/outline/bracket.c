@@ -95,14 +95,15 @@ int bracket_div(bracket *out, const bracket *a, const bracket *b, ulong places) 
 }
 
 int bracket_sqrt(bracket *out, const bracket *a, ulong places) {
-    if (fmpz_sgn(a->low) <= 0)
-        return 0;
-    fmpz_mul_2exp(out->low, a->low, places);
-    fmpz_sqrt(out->low, out->low);
+    int is_positive = fmpz_sgn(a->low) > 0;
     fmpz_mul_2exp(out->high, a->high, places);
+    fmpz_mul_2exp(out->low, a->low, places);
+    if (!is_positive)
+        fmpz_zero(out->low);
+    fmpz_sqrt(out->low, out->low);
     fmpz_sqrt(out->high, out->high);
     fmpz_add_ui(out->high, out->high, 1);
-    return 1;
+    return is_positive;
 }
 
 int bracket_meets(const bracket *a, const bracket *b) {

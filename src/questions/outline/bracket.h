@@ -24,7 +24,8 @@ void bracket_sub(bracket *out, const bracket *a, const bracket *b);
 void bracket_mul(bracket *out, const bracket *a, const bracket *b, ulong places);
 /** Divide; returns 0, and `out` has no meaning, where b may be 0. */
 int bracket_div(bracket *out, const bracket *a, const bracket *b, ulong places);
-/** The square root; returns 0 where a may be 0 or less. */
+/** The square root of what is not below 0 in a, whose upper end is not; returns 0 where a may be 0
+ * or less. */
 int bracket_sqrt(bracket *out, const bracket *a, ulong places);
 /** The sign of a number; 0 where it is not known, or zero. */
 int bracket_sign(const bracket *x);

@@ -6,26 +6,29 @@
 
 #include "base/context/scope.h"
 
-/* Terms of a series; the last one, of even order, is the rest. */
-enum { TERMS = 14 };
+/* Terms of a series, more where more places are kept; the last one, of even order, is the rest. */
+enum { TERMS = 14, MOST_TERMS = 62 };
 
 /* A cell, and brackets of the function's series in sigma: the parameter is
  * the cell's middle + sigma times its radius, -1 <= sigma <= 1. */
 typedef struct cell {
     const integrand *f;
     ulong places;
+    int terms;
     dyadic_interval where;
-    bracket num[TERMS + 1], den[TERMS + 1], value[TERMS + 1], spare;
+    bracket num[MOST_TERMS + 1], den[MOST_TERMS + 1], value[MOST_TERMS + 1], spare;
 } cell;
 
 /* Numbers that are all zero bits are initialised ones. */
 static void cell_init(cell *c, const integrand *f, ulong places) {
+    ulong more = places > 128 ? (places - 128) / 16 : 0;
     *c = (cell){.f = f, .places = places};
+    c->terms = (int)FLINT_MIN(TERMS + 2 * more, MOST_TERMS);
 }
 
 static void cell_clear(cell *c) {
     dyadic_interval_clear(&c->where);
-    for (int k = 0; k <= TERMS; k++) {
+    for (int k = 0; k <= c->terms; k++) {
         bracket_clear(&c->num[k]);
         bracket_clear(&c->den[k]);
         bracket_clear(&c->value[k]);
@@ -56,12 +59,12 @@ static void bracket_shift(bracket *out, const fmpz_t low, const fmpz_t high, slo
 
 /* The coefficients of the series of p at the middle or, if `whole`, at all points of the cell, in
  * brackets of p 2^shift. */
-static void set_series(bracket *out, const fmpz_poly_t p, slong shift, int whole) {
+static void set_series(bracket *out, int last, const fmpz_poly_t p, slong shift, int whole) {
     LOCAL(fmpz, low);
     LOCAL(fmpz, high);
     LOCAL(fmpz, term);
     slong n = fmpz_poly_degree(p);
-    for (slong j = 0; j <= TERMS; j++) {
+    for (slong j = 0; j <= last; j++) {
         fmpz_poly_get_coeff_fmpz(low, p, j);
         fmpz_set(high, low);
         for (slong i = j + 1; i <= n && whole; i++) {
@@ -107,8 +110,9 @@ static int function_series(cell *c, int last, int whole) {
     fmpz_poly_get_coeff_fmpz(middle, den, 0);
     /* Both are divided by a power of 2 near the denominator. */
     slong size = (slong)fmpz_bits(middle) - den_scale;
-    set_series(c->num, num, (slong)c->places - num_scale - (c->f->root ? 2 * size : size), whole);
-    set_series(c->den, den, (slong)c->places - den_scale - size, whole);
+    set_series(c->num, last, num, (slong)c->places - num_scale - (c->f->root ? 2 * size : size),
+               whole);
+    set_series(c->den, last, den, (slong)c->places - den_scale - size, whole);
     if (c->f->root && !take_square_root(c, last))
         return 0;
     for (int j = 0; j <= last; j++) {
@@ -143,13 +147,13 @@ static int by_series(bracket *out, cell *c) {
     HELD(bracket, sum);
     HELD(bracket, term);
     HELD(bracket, rest);
-    if (!function_series(c, TERMS, 1))
+    if (!function_series(c, c->terms, 1))
         return 0;
-    bracket_set(&rest, &c->value[TERMS]);
-    if (!function_series(c, TERMS - 1, 0))
+    bracket_set(&rest, &c->value[c->terms]);
+    if (!function_series(c, c->terms - 1, 0))
         return 0;
-    for (int j = 0; j <= TERMS; j += 2) {
-        bracket_set(&term, j < TERMS ? &c->value[j] : &rest);
+    for (int j = 0; j <= c->terms; j += 2) {
+        bracket_set(&term, j < c->terms ? &c->value[j] : &rest);
         bracket_add(&term, &term, &term);
         fmpz_fdiv_q_si(term.low, term.low, j + 1);
         fmpz_cdiv_q_si(term.high, term.high, j + 1);
@@ -169,13 +173,8 @@ static int by_range(bracket *out, cell *c, int part) {
         /* Only a root of what may vanish is bounded: by 0 and the root of the upper end. */
         if (!root || bracket_sign(&c->den[0]) <= 0 || fmpz_sgn(c->num[0].high) < 0)
             return 0;
-        fmpz_set(c->num[0].low, c->num[0].high);
-        fmpz_add_ui(c->num[0].low, c->num[0].low, 1);
-        fmpz_set(c->num[0].high, c->num[0].low);
-        if (!bracket_sqrt(&range, &c->num[0], c->places) ||
-            !bracket_div(&range, &range, &c->den[0], c->places))
-            return 0;
-        fmpz_zero(range.low);
+        bracket_sqrt(&range, &c->num[0], c->places);
+        bracket_div(&range, &range, &c->den[0], c->places);
     } else {
         bracket_set(&range, &c->value[0]);
     }

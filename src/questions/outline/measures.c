@@ -116,10 +116,7 @@ static graze_status measure_straight(bracket *area, bracket *length, const measu
         bracket_mul(&product, &product, &product, m->places);
         bracket_add(length, length, &product);
     }
-    if (!bracket_sqrt(length, length, m->places)) {
-        fmpz_zero(length->low); /* too short for these places */
-        fmpz_one_2exp(length->high, m->places);
-    }
+    bracket_sqrt(length, length, m->places);
     return GRAZE_OK;
 }
 

@@ -98,11 +98,11 @@ static graze_status is_surely_within(int *out, graze_context *context, const gra
     return status;
 }
 
-/* The box of a place, and whether it is proved to be within. */
+/* Is the box of a place, of so many binary places, proved to be within? */
 static graze_status place_is_within(int *out, const graze_outline *o, graze_context *context,
-                                    outline_curve *c, algebraic *s) {
+                                    outline_curve *c, algebraic *s, ulong places) {
     LOCAL_VEC(fmpq, corner, 4);
-    TRY(outline_curve_corners(corner, context, c, s, POINT_PLACES));
+    TRY(outline_curve_corners(corner, context, c, s, places));
     return is_surely_within(out, context, o->scene, corner);
 }
 
@@ -115,7 +115,7 @@ static graze_status decide_slants(graze_outline *o, graze_context *context) {
         if (p->lower != -1)
             continue;
         TRY(piece_middle(s.value, context, o, p));
-        TRY(place_is_within(&within, o, context, &o->curve[p->curve], &s));
+        TRY(place_is_within(&within, o, context, &o->curve[p->curve], &s, POINT_PLACES));
         p->lower = within ? 0 : -1;
         o->undecided += !within;
     }
@@ -177,10 +177,12 @@ static graze_status decide_cut(graze_outline *o, graze_context *context, size_t 
         TRY(outline_pmc(&pmc, o, context, point, TRACE_PMC));
         known = pmc != GRAZE_ON;
     } else {
-        TRY(place_is_within(&known, o, context, c, c->cut[cut]));
+        TRY(place_is_within(&known, o, context, c, c->cut[cut], POINT_PLACES));
     }
     if (!known)
         TRY(is_point(&known, o, context, curve, cut));
+    for (ulong finer = 4; !known && !is_rational && finer <= 16; finer *= 4)
+        TRY(place_is_within(&known, o, context, c, c->cut[cut], finer * POINT_PLACES));
     if (known)
         return context_poll(context);
     o->undecided += !is_rational;
