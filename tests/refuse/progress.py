@@ -87,17 +87,24 @@ LONG = (("motion joints", "motion joints turn:36000:1,2,3 --tolerance 1e-12 --li
         ("boundary", "boundary {cube} {long} --depth 7 --limit work=1000000000000000"))
 
 
+def cpu_seconds(pid):
+    with open(f"/proc/{pid}/stat", encoding="ascii") as file:
+        return sum(map(int, file.read().rsplit(")", 1)[1].split()[11:13])) / os.sysconf("SC_CLK_TCK")
+
+
 def work_and_end(graze, words, pair):
-    """(exit status, what was shown, seconds from the signal to the end): a signal after the line has come twice."""
+    """(exit status, what was shown, seconds from the signal to the end, at most those of CPU): a signal after the line has come twice."""
     child = subprocess.Popen([graze, *words], stdout=subprocess.DEVNULL, stderr=pair[1])
     shown, end = b"", time.monotonic() + SECONDS
     while shown.count(b"working") < 2 and time.monotonic() < end:
         if select.select([pair[0]], [], [], 1)[0]:
             shown += os.read(pair[0], 65536)
-    began = time.monotonic()
+    began, before = time.monotonic(), cpu_seconds(child.pid)
     child.send_signal(signal.SIGINT)
-    status = child.wait(timeout=SECONDS)
-    return status, shown, time.monotonic() - began
+    while not os.waitid(os.P_PID, child.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) and time.monotonic() < began + SECONDS:
+        time.sleep(0.02)
+    used, took = cpu_seconds(child.pid) - before, time.monotonic() - began
+    return child.wait(timeout=1), shown, min(took, used)
 
 
 def seconds_shown(graze, checks):

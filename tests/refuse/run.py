@@ -44,7 +44,7 @@ import messages  # noqa: E402
 from harness import Checks, options, run  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
-SECONDS, SLOWER = 30, 6  # sanitizers and counters of coverage are slower
+SECONDS, SLOWER = 60, 6  # sanitizers and counters of coverage are slower
 SEVERAL = ("says", "prints", "env")
 KEYS = ("run", "exit", "stdin", "stdout", "stderr", "signal", "rows") + SEVERAL
 

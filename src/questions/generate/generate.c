@@ -36,6 +36,7 @@ static graze_status make_instants(struct graze_generator *g, graze_context *cont
             fmpq_set_si(u, fine, 1u << TIME_BITS);
         instant_init(&g->instants[k], g->scene, piece, u);
         g->instant_count++;
+        TRY(context_poll(context));
     }
     return GRAZE_OK;
 }
