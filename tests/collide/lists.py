@@ -11,9 +11,12 @@ import io
 import json
 import os
 import pathlib
+import signal
+import subprocess
 import sys
 import tempfile
 import threading
+import time
 from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
@@ -147,6 +150,37 @@ def check_runs(checks, graze, folder):
     checks.equal((folder / "begun.csv").read_text(), "\n".join(cut[:40]) + "\n")
 
 
+def check_bytes(checks, graze, folder):
+    """A run is ended behind four rows. Another of their files refuses the rest, one that they do not name does not."""
+    put(folder / "six.csv", ROWS[:6])
+    lines = (folder / "six.csv").read_text().splitlines(keepends=True)
+    whole = ask(graze, folder, "six.csv").stdout
+    for name, same in (("solids/aside.off", False), ("go.json", False), ("along.json", True)):
+        begun, before = folder / "ended.csv", (folder / name).read_text()
+        child = subprocess.Popen([graze, "collide", "--list", "-", "--resume", str(begun)], cwd=folder, stdin=subprocess.PIPE,
+                                 stderr=subprocess.DEVNULL, text=True)
+        child.stdin.write("".join(lines[:5]))
+        child.stdin.flush()
+        end = time.monotonic() + 60
+        while (not begun.exists() or begun.read_text().count("\n") < whole.count("\n") - 3) and time.monotonic() < end:
+            time.sleep(0.01)
+        child.send_signal(signal.SIGTERM)
+        child.wait()
+        child.stdin.close()
+        kept = begun.read_text()
+        (folder / name).write_text(before + "\n")
+        done = ask(graze, folder, "six.csv", "--resume", str(begun))
+        if same:
+            checks.equal((done.returncode, begun.read_text()), (1, whole), name, done.stderr)
+        else:
+            checks.equal((done.returncode, begun.read_text()), (3, kept), name)
+            checks.holds("its first 4 rows are of other pairs or files" in done.stderr, done.stderr)
+        (folder / name).write_text(before)
+        done = done if same else ask(graze, folder, "six.csv", "--resume", str(begun))
+        checks.equal((done.returncode, begun.read_text()), (1, whole), name, "as before", done.stderr)
+        begun.unlink()
+
+
 def check_ends(checks, graze, folder):
     """Exit status; options for all rows; a list from standard input; rows without id."""
     for rows, words, status in ((ROWS[1:2], [], 0), (ROWS[:2], [], 1), (ROWS[:3], ["--ask", "overlap"], 1), (ROWS[5:7], [], 3), ([], [], 0)):
@@ -217,7 +251,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         write(folder)
-        for check in (check_rows, check_alone, check_runs, check_ends, check_once, check_errors, check_many):
+        for check in (check_rows, check_alone, check_runs, check_bytes, check_ends, check_once, check_errors, check_many):
             check(checks, chosen.graze, folder)
     checks.finish()
 

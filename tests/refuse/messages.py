@@ -38,7 +38,7 @@ UNREACHED = {
     "another run is writing it": "needs two runs at once; tests/shards reaches it",
     "rows already, more than there are points": "needs a table of this version; tests/shards reaches it",
     "rows are not those that were written": "needs a table of this version; tests/shards reaches it",
-    "rows are of other points": "needs a table of this version; tests/shards reaches it",
+    "rows are of other %s": "needs a table of this version; tests/shards reaches it",
     "rows for which there are points": "needs a table of this version; tests/shards reaches it",
     "is not the file that was validated": "needs a receipt of this version; tests/shards reaches it",
     "the box along axis": "the command line makes numbers in lowest terms; tests/api reaches it",

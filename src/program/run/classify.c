@@ -30,6 +30,8 @@ typedef struct run_state {
     int ended;                     /* 1: all points are taken, or `read_status` is a failure */
     int read_status;
     results out;
+    answer_task task;
+    pair_files files;
     int headed;
     progress progress;
 } run_state;
@@ -54,7 +56,7 @@ static int take_block(run_state *s, const classify_options *o, block *b, unsigne
         status = results_begin(&s->out, &source);
     s->headed |= columns_known;
     s->taken += b->count;
-    return status;
+    return status || !o->pairs.wanted ? status : pair_files_add(&s->files, &s->task, b);
 }
 
 /* Fill the next block and hand it over. */
@@ -162,15 +164,16 @@ static int prepare_run(run_state *s, const classify_options *o) {
     if (o->pairs.wanted)
         csv_expect_pairs(s->points);
     TRY(make_ring(s, ring_size(o)));
-    answer_task task = {.context = &o->scene.context,
-                        .scene = s->l.scene,
-                        .certifier = s->l.certifier,
-                        .no_table = o->no_table,
-                        .rows = &s->l.rows,
-                        .pairs = o->pairs.wanted ? o : NULL,
-                        .source = source_of(s, o),
-                        .one_by_one = graze_solid_primitive_count(s->l.solid) > 0};
-    TRY(jobs_start(&s->jobs, o->threads, &task));
+    s->task = (answer_task){.context = &o->scene.context,
+                            .scene = s->l.scene,
+                            .certifier = s->l.certifier,
+                            .no_table = o->no_table,
+                            .rows = &s->l.rows,
+                            .pairs = o->pairs.wanted ? o : NULL,
+                            .source = source_of(s, o),
+                            .one_by_one = graze_solid_primitive_count(s->l.solid) > 0};
+    s->files.context = s->l.context;
+    TRY(jobs_start(&s->jobs, o->threads, &s->task));
     TRY(results_open(&s->out));
     return pass_kept_rows(s, o);
 }
@@ -186,6 +189,7 @@ static void end_run(run_state *s) {
     csv_close(s->points);
     grid_close(s->grid);
     pairs_end();
+    pair_files_clear(&s->files);
     loaded_clear(&s->l);
     free(s);
 }

@@ -8,6 +8,7 @@
 #include "program/run/run.h"
 
 #include <pthread.h>
+#include <search.h>
 #include <sys/stat.h>
 #include "base/context/scope.h"
 #include "base/number/json.h"
@@ -159,6 +160,60 @@ static void put_path(text *out, const answerer *a, int column) {
     if (name.length && *name.start != '/' && folder_end)
         text_bytes(out, list, (size_t)(folder_end + 1 - list));
     text_bytes(out, name.start, name.length);
+}
+
+static int order_of_paths(const void *a, const void *b) {
+    return strcmp(a, b);
+}
+
+/* Add the bytes of a plain file that no row before has named. */
+static int add_file(pair_files *p, const char *path) {
+    char bytes[1 << 14];
+    struct stat about;
+    if (!path || !*path || tfind(path, &p->seen, order_of_paths))
+        return EXIT_DONE;
+    char *mine = strdup(path);
+    if (!mine || !tsearch(mine, &p->seen, order_of_paths)) {
+        free(mine);
+        return complain(EXIT_IO, "out of memory");
+    }
+    FILE *file = stat(path, &about) == 0 && S_ISREG(about.st_mode) ? fopen(path, "rb") : NULL;
+    for (size_t n = 1; file && n > 0; checksum_add(&p->sum, bytes, n))
+        n = fread(bytes, 1, sizeof bytes, file);
+    if (file)
+        fclose(file);
+    return EXIT_DONE;
+}
+
+int pair_files_add(pair_files *p, const answer_task *task, block *b) {
+    FREED(answerer, a, calloc(1, sizeof *a));
+    HELD(text, path);
+    ZEROED(fault, f);
+    if (!a)
+        return complain(EXIT_IO, "out of memory");
+    a->task = *task;
+    a->reader.context = p->context;
+    int status = add_file(p, task->pairs->pairs.motion_of_fixed);
+    for (size_t row = 0; !status && row < b->count; row++) {
+        int whole = columns_row(NULL, &f, task->source.columns, &a->reader, b, row) == EXIT_DONE;
+        for (int k = 0; whole && !status && k < PAIR_FILES; k++) {
+            path.length = 0;
+            put_path(&path, a, k);
+            text_bytes(&path, "", 1);
+            status = add_file(p, path.failed ? NULL : path.data);
+        }
+        b->points[row] ^= checksum_value(&p->sum);
+    }
+    reader_clear(&a->reader);
+    return status;
+}
+
+void pair_files_clear(pair_files *p) {
+    while (p->seen) {
+        char *path = *(char **)p->seen;
+        tdelete(path, &p->seen, order_of_paths);
+        free(path);
+    }
 }
 
 /* Are rows of the list answered with a motion error? */

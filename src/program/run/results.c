@@ -67,6 +67,7 @@ int results_open(results *out) {
 }
 
 int results_pass(results *out, unsigned long rows, unsigned long long points) {
+    const char *asked = out->o->pairs.wanted ? "pairs or files" : "points";
     if (rows < out->at.rows)
         return complain(EXIT_INPUT,
                         "%s: has %lu rows already, more than there are points; expected the points "
@@ -74,9 +75,9 @@ int results_pass(results *out, unsigned long rows, unsigned long long points) {
                         out->o->resume, out->at.rows, result_name(results_main(out)->kind));
     if (points != out->at.points)
         return complain(EXIT_INPUT,
-                        "%s: its first %lu rows are of other points; expected the points the %s "
-                        "was begun with",
-                        out->o->resume, rows, result_name(results_main(out)->kind));
+                        "%s: its first %lu rows are of other %s; expected those the %s was begun "
+                        "with",
+                        out->o->resume, rows, asked, result_name(results_main(out)->kind));
     for (int kind = 0; kind < RESULT_KINDS; kind++)
         if (results_wants(out, (result_kind)kind))
             TRY(result_pass(&out->file[kind], &out->at.file[kind], rows));

@@ -119,6 +119,18 @@ int pair_meets(const classify_options *o, const graze_pair *pair);
  * columns status and message, and counts in the totals as `undecided`, one that meets as `wide`. */
 void answer_pair(answerer *a, row_run *r, const block *b, size_t first);
 
+/** The bytes of the files that rows name, each file where it is named first; no file that cannot be
+ * read. Zeroed but for the context, and pair_files_clear. */
+typedef struct pair_files {
+    graze_context *context;
+    checksum sum;
+    void *seen; /* their paths (tsearch) */
+} pair_files;
+
+/** Add the files of the next rows, and the sum up to each row to the checksum of its points. */
+int pair_files_add(pair_files *p, const answer_task *task, block *b);
+void pair_files_clear(pair_files *p);
+
 /** Make the head of a table of pairs. `others` are the names of further columns, or NULL. */
 int pairs_head(char **head, const classify_options *o, const columns *c, const char *notes,
                const char *others);
