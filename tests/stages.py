@@ -23,7 +23,7 @@ import suitetimes  # noqa: E402
 from kept import Kept  # noqa: E402
 from run import interpreter  # noqa: E402
 
-# `beside`: one process; as many of these as there are cores run at a time.
+# `beside`: one process, which may wait; one more of these than cores runs at a time.
 Stage = collections.namedtuple("Stage", "name command beside", defaults=(False,))
 # Suites that ask CGAL, whose answers are recorded.
 ORACLES = ["agree/minkowski", "agree/laws", "collide/hand", "collide/laws", "collide/minkowski", "distance/cgal", "judge/sums", "rest/cgal",
@@ -60,9 +60,9 @@ def ci(options):
         Stage("the rest of the suites", run_suites("--tier", "rest", *(["--record"] if options.record else []))),
         Stage("lint", ["tests/lint.sh"]),
         Stage("sanitizers and coverage", ["tests/stages/sanitizers.sh"]),
-        Stage("proofs", ["make", "-s", "proofs", *([] if of(PROVED) else ["BROKEN=--sample"])]),
         Stage("threads", ["tests/stages/threads.sh", "test_threads.py"]),
         Stage("the checker weakened", script("check/weakened.py", "--only", ",".join(WEAKENED if of(CHECKER) else WEAKENED[:1]))),
+        Stage("proofs", ["make", "-s", "proofs", *([] if of(PROVED) else ["BROKEN=--sample"])], True),
         Stage("the site", ["make", "-s", "docs"], True),
         Stage("falsified decisions", ["bash", "-c", "make -s build/tests/graze-flips && "
                                       f"{interpreter()[0]} tests/filter/flip.py --graze build/tests/graze-flips"], True),
@@ -134,7 +134,7 @@ class Run:
         """None begins after one failed. What each said is shown when it has ended."""
         waiting, running = list(stages), {}
         while running or (waiting and not self.failed):
-            while waiting and not self.failed and len(running) < os.cpu_count():
+            while waiting and not self.failed and len(running) <= os.cpu_count():
                 stage, said = waiting.pop(0), tempfile.TemporaryFile()
                 print(f"== {stage.name} begins", flush=True)
                 child = subprocess.Popen(stage.command, stdin=subprocess.DEVNULL, stdout=said, stderr=said)
