@@ -97,24 +97,6 @@ static graze_status cross_at_end(border *b, turn_end *e) {
     return GRAZE_OK;
 }
 
-/* Pieces that do not end in the point miss the box. */
-static graze_status check_others(border *b, size_t point) {
-    box around;
-    box_empty(&around);
-    box_add_point(&around, b->end);
-    box_add_point(&around, b->end + 2);
-    for (size_t k = 0; k < b->o->piece_count && !b->unclear; k++) {
-        outline_piece *p = &b->o->piece[k];
-        int inside = 0;
-        if (!p->turn || p->end[0] == point || p->end[1] == point || !box_meets(&p->box, &around))
-            continue;
-        TRY(find_crossings(&inside, b, &b->o->curve[p->curve], piece_end(b->o, p, 0),
-                           piece_end(b->o, p, 1)));
-        b->unclear = b->unclear || b->crossings || inside;
-    }
-    return GRAZE_OK;
-}
-
 /* Set a box of about 2^-m around the point; its shape depends on m, so that no curve leaves all
  * boxes through a corner. */
 static graze_status set_border(border *b, size_t point, ulong m) {
@@ -188,8 +170,6 @@ static graze_status order_turns(graze_outline *o, graze_context *context, turn_e
         TRY(set_border(&b, end->point, m));
         for (size_t k = 0; k < count && !b.unclear; k++)
             TRY(cross_at_end(&b, &end[k]));
-        if (!b.unclear)
-            TRY(check_others(&b, end->point));
     }
     return sort_ends(&b, end, count);
 }
