@@ -4,17 +4,6 @@
 #include "base/context/scope.h"
 #include "questions/envelope/sign_events.h"
 
-/* out = a' b - a b' */
-static void wronskian(fmpz_poly_t out, const fmpz_poly_struct *a, const fmpz_poly_struct *b) {
-    LOCAL(fmpz_poly, first);
-    LOCAL(fmpz_poly, second);
-    fmpz_poly_derivative(first, a);
-    fmpz_poly_mul(first, first, b);
-    fmpz_poly_derivative(second, b);
-    fmpz_poly_mul(second, second, a);
-    fmpz_poly_sub(out, first, second);
-}
-
 static void add_field_product(fmpz_poly_struct *out, const fmpz_poly_struct *a,
                               const fmpz_poly_struct *b) {
     LOCAL(fmpz_poly, product);
@@ -30,7 +19,7 @@ static void set_velocity(derivatives *f, const motion_piece *piece) {
     LOCAL(fmpz_poly, rate);
     for (int j = 0; j < d; j++)
         for (int c = 0; c < columns; c++) {
-            wronskian(rate, to->weight, &to->entry[j * columns + c]);
+            slope_product(rate, &to->entry[j * columns + c], to->weight);
             for (int i = 0; i < d; i++)
                 add_field_product(&f->entry[0][i * columns + c], &back->entry[i * columns + j],
                                   rate);

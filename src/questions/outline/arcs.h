@@ -83,8 +83,6 @@ graze_status form_eliminate(fmpz_mpoly_t out, graze_context *context, const fmpz
 
 /* Numbers that are images of algebraic numbers. */
 
-/** out = x y' - x' y. */
-void slope_product(fmpz_poly_t out, const fmpz_poly_t x, const fmpz_poly_t y);
 /** The minimal polynomial of a number, which is irrational unless the polynomial is linear. */
 void number_minimal(fmpz_poly_t out, const algebraic *x);
 /** Let a number's polynomial be its minimal one; a rational number is known as such then. */

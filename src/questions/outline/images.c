@@ -48,16 +48,6 @@ graze_status form_eliminate(fmpz_mpoly_t out, graze_context *context, const fmpz
     return context_poll(context);
 }
 
-void slope_product(fmpz_poly_t out, const fmpz_poly_t x, const fmpz_poly_t y) {
-    LOCAL(fmpz_poly, slope);
-    LOCAL(fmpz_poly, product);
-    fmpz_poly_derivative(slope, x);
-    fmpz_poly_mul(product, slope, y);
-    fmpz_poly_derivative(slope, y);
-    fmpz_poly_mul(slope, slope, x);
-    fmpz_poly_sub(out, slope, product);
-}
-
 void number_minimal(fmpz_poly_t out, const algebraic *x) {
     fmpz_poly_zero(out);
     if (algebraic_is_rational(x)) {
