@@ -159,7 +159,7 @@ scene("square along a parabola and back", UNIT, build([(-1, 1, translate([[0, 1]
 TINY = F(1, 2 ** 200)
 scene("square of side 2^-200 along a parabola", box(0, 0, TINY, TINY), ARCH, 4 * TINY + TINY ** 2 - TINY ** 3 / 12,
       length=2 * sqrt(5) + log(2 + sqrt(5)), fine=True)
-# A triangle with legs of e, its right angle and a tip as far as 1 and 1 + e from the centre: rings are whole between both, so that the turn by π/2 adds
+# A triangle with legs of e, its right angle at distance 1 from the centre and a tip at 1 + e: rings are whole between both, so that the turn by π/2 adds
 # π/2 ((1 + e)² - 1) / 2 to e² / 2, and arcs of both radii, π/2 (2 + e), to less than 4 e
 SLIM = F(1, 2 ** 120)
 scene("triangle of side 2^-120, a quarter turn", plane(ring((1, 0), (1 + SLIM, 0), (1, SLIM))), quarters(1),

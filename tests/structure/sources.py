@@ -80,7 +80,7 @@ def function_name(chunk):
         return None
     # A macro in front, such as GRAZE_API, has no parentheses of its own.
     head = re.search(r"([\w:~]+)\s*\(", chunk)
-    if not head or head.group(1) in ("if", "for", "while", "switch", "_Static_assert", "static_assert"):
+    if not head or head.group(1).isupper() or head.group(1) in ("if", "for", "while", "switch", "_Static_assert", "static_assert"):
         return None
     before = chunk[:head.start()].strip()
     # A name with :: is a member's, whose class is its scope.

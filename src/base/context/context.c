@@ -107,27 +107,19 @@ const char *name_at(const char *const *names, size_t count, size_t value) {
     return value < count && names[value] ? names[value] : "none";
 }
 
-const char *graze_pmc_name(graze_pmc pmc) {
-    static const char *const names[] = {
-        [GRAZE_IN] = "in",
-        [GRAZE_ON] = "on",
-        [GRAZE_OUT] = "out",
-        [GRAZE_PMC_UNDECIDED] = "undecided",
-    };
-    return name_at(names, sizeof names / sizeof *names, (size_t)pmc);
-}
+NAMES_OF(graze_pmc_name, graze_pmc,
+         {[GRAZE_IN] = "in",
+          [GRAZE_ON] = "on",
+          [GRAZE_OUT] = "out",
+          [GRAZE_PMC_UNDECIDED] = "undecided"})
 
-const char *graze_class_name(graze_class class_) {
-    static const char *const names[] = {
-        [GRAZE_REGULAR] = "regular",
-        [GRAZE_FOLD] = "fold",
-        [GRAZE_FOLD_BOUNDARY] = "fold_boundary",
-        [GRAZE_BOUNDARY] = "boundary",
-        [GRAZE_EXTERIOR] = "exterior",
-        [GRAZE_CLASS_UNDECIDED] = "undecided",
-    };
-    return name_at(names, sizeof names / sizeof *names, (size_t)class_);
-}
+NAMES_OF(graze_class_name, graze_class,
+         {[GRAZE_REGULAR] = "regular",
+          [GRAZE_FOLD] = "fold",
+          [GRAZE_FOLD_BOUNDARY] = "fold_boundary",
+          [GRAZE_BOUNDARY] = "boundary",
+          [GRAZE_EXTERIOR] = "exterior",
+          [GRAZE_CLASS_UNDECIDED] = "undecided"})
 
 const char *graze_limit_name(graze_limit limit) {
     return is_limit(limit) ? limit_table[limit].name : NULL;

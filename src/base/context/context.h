@@ -78,9 +78,15 @@ graze_status context_poll(graze_context *context);
 graze_status context_work(graze_context *context, unsigned long work);
 
 /** The name of an enum's value: names[value], or "none" for a value beyond `count` or without a
- * name.
- */
+ * name. */
 const char *name_at(const char *const *names, size_t count, size_t value);
+
+/** Define a public function that names the values of an enum by a list in braces. */
+#define NAMES_OF(function, type, ...)                                                              \
+    const char *function(type value) {                                                             \
+        static const char *const names[] = __VA_ARGS__;                                            \
+        return name_at(names, sizeof names / sizeof *names, (size_t)value);                        \
+    }
 
 #ifdef __cplusplus
 }

@@ -257,30 +257,20 @@ graze_status role_decide(graze_role *out, graze_context *context, const graze_si
     return GRAZE_OK;
 }
 
-const char *graze_role_name(graze_role role) {
-    static const char *const names[] = {
-        [GRAZE_ROLE_CONTACT] = "contact",
-        [GRAZE_ROLE_EGRESS] = "egress",
-        [GRAZE_ROLE_INGRESS] = "ingress",
-        [GRAZE_ROLE_HIDDEN] = "hidden",
-    };
-    return name_at(names, sizeof names / sizeof *names, (size_t)role);
-}
+NAMES_OF(graze_role_name, graze_role,
+         {[GRAZE_ROLE_CONTACT] = "contact",
+          [GRAZE_ROLE_EGRESS] = "egress",
+          [GRAZE_ROLE_INGRESS] = "ingress",
+          [GRAZE_ROLE_HIDDEN] = "hidden"})
 
-const char *graze_trim_name(graze_trim trim) {
-    static const char *const names[] = {
-        [GRAZE_TRIM_SLIDES] = "slides",   [GRAZE_TRIM_SIMPLE] = "simple",
-        [GRAZE_TRIM_MEETS] = "meets",     [GRAZE_TRIM_NEAR] = "trimmed_near",
-        [GRAZE_TRIM_FAR] = "trimmed_far",
-    };
-    return name_at(names, sizeof names / sizeof *names, (size_t)trim);
-}
+NAMES_OF(graze_trim_name, graze_trim,
+         {[GRAZE_TRIM_SLIDES] = "slides",
+          [GRAZE_TRIM_SIMPLE] = "simple",
+          [GRAZE_TRIM_MEETS] = "meets",
+          [GRAZE_TRIM_NEAR] = "trimmed_near",
+          [GRAZE_TRIM_FAR] = "trimmed_far"})
 
-const char *graze_orientation_name(graze_orientation orientation) {
-    static const char *const names[] = {
-        [GRAZE_ORIENTATION_PRESERVING] = "preserving",
-        [GRAZE_ORIENTATION_REVERSING] = "reversing",
-        [GRAZE_ORIENTATION_DEGENERATE] = "degenerate",
-    };
-    return name_at(names, sizeof names / sizeof *names, (size_t)orientation);
-}
+NAMES_OF(graze_orientation_name, graze_orientation,
+         {[GRAZE_ORIENTATION_PRESERVING] = "preserving",
+          [GRAZE_ORIENTATION_REVERSING] = "reversing",
+          [GRAZE_ORIENTATION_DEGENERATE] = "degenerate"})

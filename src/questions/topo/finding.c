@@ -7,10 +7,7 @@
 #include "base/number/vector.h"
 #include "decide/verdict/verdict.h"
 
-const char *graze_topo_name(graze_topo topo) {
-    static const char *const name[] = {"none", "interior", "boundary", "exterior", "undecided"};
-    return name_at(name, sizeof name / sizeof *name, (size_t)topo);
-}
+NAMES_OF(graze_topo_name, graze_topo, {"none", "interior", "boundary", "exterior", "undecided"})
 
 const char *graze_regular_name(graze_topo topo) {
     return topo == GRAZE_TOPO_INTERIOR || topo == GRAZE_TOPO_BOUNDARY ? "yes"
@@ -18,11 +15,9 @@ const char *graze_regular_name(graze_topo topo) {
                                                                       : graze_topo_name(topo);
 }
 
-const char *graze_topo_level_name(graze_topo_level level) {
-    static const char *const name[] = {"none",         "word",  "first_order", "curves",
-                                       "closed_cones", "edges", "section",     "leading_terms"};
-    return name_at(name, sizeof name / sizeof *name, (size_t)level);
-}
+NAMES_OF(graze_topo_level_name, graze_topo_level,
+         {"none", "word", "first_order", "curves", "closed_cones", "edges", "section",
+          "leading_terms"})
 
 void finding_init(topo_finding *f) {
     *f = (topo_finding){
