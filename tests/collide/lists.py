@@ -181,6 +181,17 @@ def check_bytes(checks, graze, folder):
         begun.unlink()
 
 
+def check_outputs(checks, graze, folder):
+    """A file that a row names, directly or by a link, is not written."""
+    os.symlink("one.off", folder / "solids" / "same.off")
+    for words in (("-o", "go.json"), ("--resume", "solids/aside.off"), ("-o", "solids/same.off")):
+        kept = (folder / words[1]).read_bytes()
+        done = ask(graze, folder, "long.csv", *words)
+        checks.equal((done.returncode, (folder / words[1]).read_bytes()), (2, kept), words, done.stderr)
+        checks.holds("which is read; expected another file" in done.stderr, words, done.stderr)
+    (folder / "solids" / "same.off").unlink()
+
+
 def check_ends(checks, graze, folder):
     """Exit status; options for all rows; a list from standard input; rows without id."""
     for rows, words, status in ((ROWS[1:2], [], 0), (ROWS[:2], [], 1), (ROWS[:3], ["--ask", "overlap"], 1), (ROWS[5:7], [], 3), ([], [], 0)):
@@ -251,7 +262,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         write(folder)
-        for check in (check_rows, check_alone, check_runs, check_bytes, check_ends, check_once, check_errors, check_many):
+        for check in (check_rows, check_alone, check_runs, check_bytes, check_outputs, check_ends, check_once, check_errors, check_many):
             check(checks, chosen.graze, folder)
     checks.finish()
 

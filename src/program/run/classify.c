@@ -161,8 +161,10 @@ static int prepare_run(run_state *s, const classify_options *o) {
                                  graze_scene_dimension(s->l.scene), o->shard.part, s->l.context));
     if (o->sites.wanted)
         csv_expect_sites(s->points, o->sites.snap);
-    if (o->pairs.wanted)
+    if (o->pairs.wanted) {
         csv_expect_pairs(s->points);
+        TRY(pair_files_check(o, s->l.context));
+    }
     TRY(make_ring(s, ring_size(o)));
     s->task = (answer_task){.context = &o->scene.context,
                             .scene = s->l.scene,

@@ -177,7 +177,10 @@ static int add_file(pair_files *p, const char *path) {
         free(mine);
         return complain(EXIT_IO, "out of memory");
     }
-    FILE *file = stat(path, &about) == 0 && S_ISREG(about.st_mode) ? fopen(path, "rb") : NULL;
+    if (p->guard)
+        guard_add(p->guard, GUARD_READ, NULL, mine, "");
+    FILE *file =
+        !p->guard && stat(path, &about) == 0 && S_ISREG(about.st_mode) ? fopen(path, "rb") : NULL;
     for (size_t n = 1; file && n > 0; checksum_add(&p->sum, bytes, n))
         n = fread(bytes, 1, sizeof bytes, file);
     if (file)
@@ -214,6 +217,29 @@ void pair_files_clear(pair_files *p) {
         tdelete(path, &p->seen, order_of_paths);
         free(path);
     }
+}
+
+int pair_files_check(const classify_options *o, graze_context *context) {
+    ZEROED(guard, g);
+    pair_files files = {.context = context, .guard = &g};
+    answer_task task = {.pairs = o};
+    const char *path = o->resume ? o->resume : o->output, *option = o->resume ? "resume" : "output";
+    csv *list = NULL;
+    block *b = path && !output_is_standard(path) ? block_create() : NULL;
+    int status = b ? csv_open(&list, o->points, NULL, 0, (shard){0, 1}, context) : EXIT_DONE;
+    if (b && !status && list->size > 0) {
+        csv_expect_pairs(list);
+        task.source.columns = &list->columns;
+        guard_add(&g, GUARD_WRITTEN, option, path, "");
+        do
+            block_reset(b, 0);
+        while (!csv_fill(list, b, BLOCK_ROWS) && b->count && !pair_files_add(&files, &task, b));
+        status = guard_check(&g);
+    }
+    csv_close(list);
+    block_destroy(b);
+    pair_files_clear(&files);
+    return status;
 }
 
 /* Are rows of the list answered with a motion error? */

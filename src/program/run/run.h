@@ -124,11 +124,14 @@ void answer_pair(answerer *a, row_run *r, const block *b, size_t first);
 typedef struct pair_files {
     graze_context *context;
     checksum sum;
-    void *seen; /* their paths (tsearch) */
+    void *seen;   /* their paths (tsearch) */
+    guard *guard; /* or NULL; they are added, and their bytes are not read */
 } pair_files;
 
 /** Add the files of the next rows, and the sum up to each row to the checksum of its points. */
 int pair_files_add(pair_files *p, const answer_task *task, block *b);
+/** Refuse an output that rows of a list, if that is a plain file, name. */
+int pair_files_check(const classify_options *o, graze_context *context);
 void pair_files_clear(pair_files *p);
 
 /** Make the head of a table of pairs. `others` are the names of further columns, or NULL. */

@@ -98,7 +98,7 @@ static graze_status is_surely_within(int *out, graze_context *context, const gra
     return status;
 }
 
-/* Is the box of a place, with so many binary places, proved to be within? */
+/* Is the box of a place proved to be within, at a number of binary places? */
 static graze_status place_is_within(int *out, const graze_outline *o, graze_context *context,
                                     outline_curve *c, algebraic *s, ulong places) {
     LOCAL_VEC(fmpq, corner, 4);
