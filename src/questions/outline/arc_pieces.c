@@ -79,13 +79,11 @@ static graze_status append_arc_piece(graze_outline *o, graze_context *context, s
     TRY(array_grow(context, &o->piece, &o->piece_capacity, o->piece_count + 1, sizeof *o->piece,
                    "the pieces of an outline"));
     outline_piece *p = &o->piece[o->piece_count];
-    memset(p, 0, sizeof *p);
+    memset(p, 0, sizeof *p); /* zeros are initialised numbers */
     p->curve = curve;
     p->cut = cut;
     p->same = o->piece_count++;
     p->next_same = OUTLINE_NONE;
-    for (int k = 0; k < 4; k++)
-        fmpq_init(&p->sample[k]);
     p->box = around;
     return context_work(context, 10000);
 }
