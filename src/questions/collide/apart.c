@@ -32,7 +32,7 @@ static double clearance_along(const double n[3], double most) {
 }
 
 /* Are two extents disjoint by more than their errors and the clearance? */
-static int extents_apart(extent a, extent b, const double n[3], double error, double most) {
+static inline int extents_apart(extent a, extent b, const double n[3], double error, double most) {
     double gap = larger(a.low - b.high, b.low - a.high);
     if (!(gap > 0))
         return 0;

@@ -144,7 +144,7 @@ static graze_status search_stretch(searcher *s, stretch_forms *during, const nod
         return GRAZE_OK;
     if (is_deep(s, &during->interval) == 2)
         return go_over(s, &during->interval, pair_walk_pass);
-    /* Of the time after a first contact only the beginning matters. */
+    /* After a first contact only the beginning of the time matters. */
     if (s->walk->first && !s->walk->until && s->walk->open && during->level < s->level)
         return search_halves(s, during, of);
     ZEROED(node_list, left);
