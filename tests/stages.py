@@ -26,7 +26,7 @@ from run import interpreter  # noqa: E402
 # `beside`: one process, which may wait; one more of these than cores runs at a time.
 Stage = collections.namedtuple("Stage", "name command beside", defaults=(False,))
 # Suites that ask CGAL, whose answers are recorded.
-ORACLES = ["agree/minkowski", "agree/laws", "collide/hand", "collide/laws", "collide/minkowski", "distance/cgal", "judge/sums", "rest/cgal",
+ORACLES = ["agree/minkowski", "agree/laws", "collide/hand", "collide/laws", "collide/minkowski", "collide/peers", "distance/cgal", "judge/sums", "rest/cgal",
            "topo/straight", "topo/duals", "benchmark/codes"]
 CHECKER = ["src/check/", "tests/check/", "tests/fuzz/checker/"]
 CERTIFIED = [*CHECKER, "src/questions/certify/", "src/decide/trace/", "src/decide/verdict/", "src/input/solid/", "src/input/motion/"]

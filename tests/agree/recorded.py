@@ -93,8 +93,8 @@ def modes(checks, folder):
     asked.ask("record", "ab")
     asked.program("cat")
     checks.equal(asked.ask("anew", "ab", one_form=False)[1], 1, "other form, same version")
-    here = oracle.maker()
-    oracle.maker = lambda: here + " and more"
+    here = oracle.maker("minkowski")
+    oracle.maker = lambda program: here + " and more"
     checks.equal(asked.ask("anew", "ab", one_form=False)[:2], (["ab"], 0), "other form, other version")
     checks.equal(asked.ask("anew", "ab")[1], 1, "other answer, other version")
 

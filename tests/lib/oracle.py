@@ -1,4 +1,4 @@
-"""CGAL's programs beside the tests: their answers as recorded tables, or asked anew.
+"""CGAL's programs beside the tests, and FCL's: their answers as recorded tables, or asked anew.
 
 A program of these takes minutes to compile and answers always the same, so its answers to a suite are recorded in
 tests/oracles/FOLDER-SUITE.PROGRAM.jsonl.xz: JSON Lines, first what the table is of, the hash of the program's sources too, then a row for
@@ -23,9 +23,10 @@ from types import SimpleNamespace
 from harness import ROOT, Checks, bounded, run
 
 SOURCES = {"minkowski": "tests/agree/minkowski.cpp", "to_nef": "tests/agree/to_nef.cpp", "distances": "tests/distance/oracle.cpp",
-           "pairs": "tests/collide/oracle.cpp", "places": "tests/rest/oracle.cpp"}
+           "pairs": "tests/collide/oracle.cpp", "places": "tests/rest/oracle.cpp", "fcl": "cases/candidates/fcl.cpp"}
+TARGETS = {"fcl": "bench/fcl"}  # else of the program's name
 FOLDER = os.path.join(ROOT, "tests", "oracles")
-VERSION = "/usr/include/CGAL/version.h"
+VERSIONS = {"CGAL": ("/usr/include/CGAL/version.h", "define CGAL_VERSION (.*)"), "FCL": ("/usr/include/fcl/config.h", 'define FCL_VERSION "(.*)"')}
 INCLUDED = re.compile(r'^#include "(.*)"', re.M)
 
 Answer = collections.namedtuple("Answer", "status text")  # the text is empty if the status is not 0
@@ -56,10 +57,12 @@ def hash_of_input(text, as_file):
     return hashlib.sha256(f"{'file' if as_file else 'text'}\n{text}".encode()).hexdigest()[:32]
 
 
-def maker():
-    """CGAL's version and the machine: of others an answer may have another form."""
-    with open(VERSION, encoding="utf-8") as file:
-        return f"CGAL {re.search('define CGAL_VERSION (.*)', file.read())[1]}, {platform.machine()}"
+def maker(program):
+    """The library's version and the machine: of others an answer may have another form."""
+    library = "FCL" if program == "fcl" else "CGAL"
+    path, pattern = VERSIONS[library]
+    with open(path, encoding="utf-8") as file:
+        return f"{library} {re.search(pattern, file.read())[1]}, {platform.machine()}"
 
 
 def read(path):
@@ -79,7 +82,7 @@ def write(path, head, rows):
 
 def build(program):
     """The path of the program, built if its sources have changed; by one suite at a time."""
-    target = os.path.join("build", "tests", program)
+    target = os.path.join("build", "tests", TARGETS.get(program, program))
     os.makedirs(os.path.join(ROOT, "build", "tests"), exist_ok=True)
     kept = {name: value for name, value in os.environ.items() if not name.startswith(("MAKE", "MFLAGS"))}
     with open(os.path.join(ROOT, target + ".lock"), "w", encoding="utf-8") as lock:
@@ -106,7 +109,7 @@ class Oracle:
         if self.mode != "record":
             self.load()
         if self.mode:
-            self.head["made by"] = maker()
+            self.head["made by"] = maker(program)
             self.same_form = self.mode == "anew" and self.head["made by"] == self.recorded_head["made by"]
             self.tool = build(program)
 

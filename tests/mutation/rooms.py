@@ -54,7 +54,7 @@ ROOMS = {
     "questions/outline": ["outline/hand", "outline/scenes", "outline/method", "outline/laws", "outline/polygons", "outline/beside", "unit/test_covered"],
     "questions/collide": ["unit/test_near_pairs", "collide/hand", "collide/round", "unit/test_apart", "api/test_pair", "collide/convex", "collide/polycubes",
                           "collide/laws", "collide/clearance", "collide/closest", "collide/features", "collide/distances",
-                          "collide/motion_error", "collide/nearer"],
+                          "collide/motion_error", "collide/nearer", "collide/peers"],
     "questions/generate": ["generate/generate", "generate/levels", "refuse/run generate"],
     "questions/certify": ["unit/test_control", "check/golden", "api/test_certificate", "check/contacts", "shards/certificates"],
     "questions/judge": ["unit/test_band", "unit/test_judged_mesh", "unit/test_winding", "judge/slabs", "judge/closed"],

@@ -32,9 +32,12 @@ static double clearance_along(const double n[3], double most) {
 }
 
 /* Are two extents disjoint by more than their errors and the clearance? */
-static int extents_apart(extent a, extent b, const double n[3], double error, double most) {
+static inline int extents_apart(extent a, extent b, const double n[3], double error, double most) {
+    double gap = larger(a.low - b.high, b.low - a.high);
+    if (!(gap > 0))
+        return 0;
     double bound = size1(n) * error + 0x1p-800 + clearance_along(n, most);
-    return bound < MOST_BOUND && (a.low - b.high > bound || b.low - a.high > bound);
+    return bound < MOST_BOUND && gap > bound;
 }
 
 /* The images of one to three points under some maps: three coordinates each, the third 0 in E^2. */

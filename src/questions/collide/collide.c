@@ -15,6 +15,8 @@ static graze_status mark_start(graze_pair *pair, graze_context *context) {
 
 graze_status collide_walk(graze_pair *pair, graze_context *context) {
     pair->walk.pair = &pair->pair;
+    for (int side = 0; side < 2; side++)
+        pair->pair.forms[side] = &pair->forms[side];
     pair->walk.context = context;
     TRY(pair_walk_begin(&pair->walk));
     TRY(pair_search(&pair->walk));
@@ -39,8 +41,10 @@ void collide_clear(graze_pair *pair) {
     for (size_t k = 0; pair->clearance && k < pair->pair.motion->piece_count; k++)
         clearance_clear(&pair->clearance[k]);
     free(pair->clearance);
-    for (int side = 0; side < 2; side++)
+    for (int side = 0; side < 2; side++) {
         graze_solid_destroy(pair->base[side]);
+        form_memory_clear(&pair->forms[side]);
+    }
     fmpq_clear(pair->distance);
     fmpq_clear(pair->error);
     if (pair->own)

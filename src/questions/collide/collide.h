@@ -29,6 +29,7 @@ typedef struct solid_pair {
     int complement; /* 1: the closure of the complement of `fixed` stands for it; 2: of `moving` */
     const clearance *near; /* of each piece: distances below it count as I, at it as B; NULL: 0 */
     const csg_round *round[2]; /* of each simplex of a solid of balls and capsules; else NULL */
+    form_memory *forms[2];     /* of either solid, for all placings; or NULL */
 } solid_pair;
 
 /* Pairs of boundary cells, one of each solid, that meet at a time. */
@@ -71,6 +72,7 @@ typedef struct pair_walk {
 
 struct graze_pair {
     solid_pair pair;
+    form_memory forms[2];
     pair_walk walk;
     const graze_motion *frame; /* the motion of the fixed solid, or NULL */
     graze_motion *own;         /* the relative motion if both solids move, else NULL */

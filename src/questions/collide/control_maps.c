@@ -51,8 +51,8 @@ static void measure_maps(control_maps *maps) {
             double sum = 0;
             for (int j = 0; j < d; j++)
                 sum += fabs(row[j]);
-            maps->slope = fmax(maps->slope, sum);
-            maps->shift = fmax(maps->shift, fabs(row[d]));
+            maps->slope = larger(sum, maps->slope);
+            maps->shift = larger(fabs(row[d]), maps->shift);
         }
 }
 

@@ -21,11 +21,6 @@ typedef struct named_face {
     uint32_t key[3];
 } named_face;
 
-static int compare_numbers(const void *left, const void *right) {
-    uint32_t a = *(const uint32_t *)left, b = *(const uint32_t *)right;
-    return a < b ? -1 : a > b;
-}
-
 static uint32_t run_vertex(const placing *p, pair_side side, corner_run run, int k) {
     const simplex *s = &placing_solid(p, side)->cut.item[run.simplex];
     return s->vertex[(run.first + k) % p->pair->motion->dimension];
@@ -35,9 +30,13 @@ static void add_named_face(named_face out[3], int *found, const placing *p, pair
                            corner_run run) {
     named_face *f = &out[(*found)++];
     f->run = run;
-    for (int k = 0; k < 3; k++)
-        f->key[k] = k < run.count ? run_vertex(p, side, run, k) : UINT32_MAX;
-    qsort(f->key, (size_t)run.count, sizeof *f->key, compare_numbers);
+    for (int k = 0; k < 3; k++) {
+        uint32_t vertex = k < run.count ? run_vertex(p, side, run, k) : UINT32_MAX;
+        int at = k;
+        for (; at > 0 && f->key[at - 1] > vertex; at--)
+            f->key[at] = f->key[at - 1];
+        f->key[at] = vertex;
+    }
 }
 
 /* Give the faces of a simplex with `count` corners. @return their number */
@@ -89,15 +88,14 @@ static void set_offset(moving_vector *out, fmpz_poly_t weight, placing *p, uint3
                        uint32_t fixed) {
     int d = p->pair->motion->dimension;
     const trajectory *x = placing_vertex(p, SIDE_MOVING, moving);
-    LOCAL_VEC(fmpz, y, 4);
-    LOCAL(fmpz_poly, term);
+    fmpz *y = p->room;
     if (!x)
         return;
     homogeneous_vertex(y, p->pair->fixed, fixed);
     for (int i = 0; i < d; i++) {
         fmpz_poly_scalar_mul_fmpz(&out->c[i], &x->x[d], y + i);
-        fmpz_poly_scalar_mul_fmpz(term, &x->x[i], y + d);
-        fmpz_poly_sub(&out->c[i], &out->c[i], term);
+        fmpz_poly_scalar_mul_fmpz(p->product, &x->x[i], y + d);
+        fmpz_poly_sub(&out->c[i], &out->c[i], p->product);
     }
     fmpz_poly_scalar_mul_fmpz(weight, &x->x[d], y + d);
 }
@@ -141,7 +139,6 @@ static void divide_out(fmpz_poly_t out, const fmpz_poly_t weight) {
 static void set_stationary(stationary *s, placing *p) {
     uint32_t base[2];
     HELD(moving_vector, offset);
-    LOCAL(fmpz_poly, weight);
     LOCAL(fmpz_poly, least);
     LOCAL_VEC(fmpz_poly, near, 2);
     for (int side = 0; side < 2; side++) {
@@ -151,9 +148,9 @@ static void set_stationary(stationary *s, placing *p) {
             edge_vector(&s->span[s->count++], p, (pair_side)side, run.simplex, run.first,
                         (run.first + k) % p->pair->motion->dimension);
     }
-    set_offset(&offset, weight, p, base[SIDE_MOVING], base[SIDE_FIXED]);
+    set_offset(&offset, p->value, p, base[SIDE_MOVING], base[SIDE_FIXED]);
     set_distance(s->equation, s, &offset);
-    square(least, weight);
+    square(least, p->value);
     fmpz_poly_mul(least, least, s->gram);
     clearance_square(near, p->near, p->pair,
                      (near_pair){s->features->of[0].simplex, s->features->of[1].simplex});
@@ -223,7 +220,6 @@ void stationary_clear(stationary *s) {
 static void perpendicular_part(moving_vector *out, placing *p, const moving_vector *v,
                                const moving_vector *other[2], int count) {
     HELD(moving_vector, cross);
-    LOCAL(fmpz_poly, along);
     if (count == 0) {
         moving_set(out, v);
     } else if (count == 1) {
@@ -231,8 +227,8 @@ static void perpendicular_part(moving_vector *out, placing *p, const moving_vect
         cross_moving(out, other[0], &cross);
     } else {
         cross_moving(out, other[0], other[1]);
-        dot_moving(along, out, v);
-        if (placing_sign(p, along) < 0)
+        dot_moving(p->value, out, v);
+        if (placing_sign(p, p->value) < 0)
             moving_negate(out);
     }
 }
@@ -249,7 +245,6 @@ static int foot_sign(placing *p, const stationary *s, pair_side side, int corner
     HELD(moving_vector, across);
     HELD(moving_vector, beside);
     HELD(moving_vector, offset);
-    LOCAL(fmpz_poly, q);
     edge_vector(&to, p, side, own.simplex, from, at);
     if (n == 3) {
         edge_vector(&beside, p, side, own.simplex, from, (corner + 2) % 3);
@@ -259,10 +254,11 @@ static int foot_sign(placing *p, const stationary *s, pair_side side, int corner
         if ((k >= run[0].count - 1) != (side == SIDE_FIXED))
             other[others++] = &s->span[k];
     base[side] = run_vertex(p, side, own, (corner + 1) % n);
-    set_offset(&offset, q, p, base[0], base[1]);
+    set_offset(&offset, p->value, p, base[0], base[1]);
     perpendicular_part(&across, p, &to, other, others);
-    dot_moving(q, &across, &offset);
-    return side == SIDE_MOVING ? placing_sign(p, q) : -placing_sign(p, q);
+    dot_moving(p->value, &across, &offset);
+    int sign = placing_sign(p, p->value);
+    return side == SIDE_MOVING ? sign : -sign;
 }
 
 /* The sides of a simplex that hold the corners whose bits are set. */

@@ -92,15 +92,15 @@ static void refine_pair(refiner *r, const moved_node *moved, uint32_t fixed) {
     const tree_node *b = &r->pair->fixed->boxes.node[fixed];
     if (r->status || r->near->within || boxes_far(r, &moved->box, &b->box))
         return;
-    nearness found =
-        boxes_within(r, &moved->box, &b->box) ? NEAR_ALWAYS : pair_nearness(r, moved->node, fixed);
+    int within = r->maps->least > 0 && boxes_within(r, &moved->box, &b->box);
+    nearness found = within ? NEAR_ALWAYS : pair_nearness(r, moved->node, fixed);
+    if (found == NEAR_NEVER)
+        return;
     r->near->within |= found == NEAR_ALWAYS;
     r->near->soon |= found == NEAR_SOON;
-    if (found == NEAR_ALWAYS || found == NEAR_NEVER)
-        return;
     /* Points have no size, but their clearance has. */
-    double other = fmax(box_extent(&b->box), 0x1p-4 * r->maps->least);
-    if (!r->at_once && box_extent(&moved->box) > moved->size + fmax(moved->size, other)) {
+    double other = larger(box_extent(&b->box), 0x1p-4 * r->maps->least);
+    if (!r->at_once && box_extent(&moved->box) > moved->size + larger(moved->size, other)) {
         r->status = node_list_add(r->coarse, r->context, (node_pair){moved->node, fixed});
     } else if (!a->child && !b->child) {
         r->status = node_list_add(r->near, r->context, (node_pair){moved->node, fixed});

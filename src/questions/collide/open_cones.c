@@ -8,9 +8,8 @@
 #include "questions/collide/features.h"
 
 static int dot_sign(placing *p, const moving_vector *a, const moving_vector *b) {
-    LOCAL(fmpz_poly, dot);
-    dot_moving(dot, a, b);
-    return placing_sign(p, dot);
+    dot_moving(p->value, a, b);
+    return placing_sign(p, p->value);
 }
 
 /* The sign of (a x b) . n: positive if b is to the left of a, seen against n. */
@@ -79,7 +78,7 @@ static void add_sector(sectors_about *list, placing *p, const moving_vector *fro
  * complement. */
 static void add_oriented(sectors_about *list, placing *p, pair_side side, const moving_vector *from,
                          const moving_vector *to) {
-    int turned = side == SIDE_MOVING ? p->mirrored : p->pair->complement;
+    int turned = side == SIDE_MOVING ? placing_mirrors(p) : p->pair->complement;
     add_sector(list, p, turned ? to : from, turned ? from : to);
 }
 
@@ -255,8 +254,29 @@ static int sector_meets(placing *p, const sector *s, const sectors_about *other)
     return found;
 }
 
+/* Do both cones have a sector in one plane, with opposite normals, and no sector beyond it? A cone
+ * whose boundary is not beyond its sector's plane has nothing there, as it has nothing just there.
+ */
+static int plane_separates(placing *p, const sectors_about *a, const sectors_about *b) {
+    for (size_t i = 0; i < a->count; i++) {
+        const moving_vector *n = &a->item[i].normal;
+        int flat = 0, apart = 1;
+        for (size_t k = 0; k < a->count + b->count && apart && !p->status; k++) {
+            const sector *s = k < a->count ? &a->item[k] : &b->item[k - a->count];
+            int from = dot_sign(p, n, &s->from), to = dot_sign(p, n, &s->to);
+            apart = k < a->count ? from <= 0 && to <= 0 : from >= 0 && to >= 0;
+            flat |= apart && k >= a->count && !from && !to && dot_sign(p, n, &s->normal) < 0;
+        }
+        if (apart && flat)
+            return 1;
+    }
+    return 0;
+}
+
 int open_cones_meet(placing *p, const sectors_about *a, const sectors_about *b) {
     int found = 0;
+    if (plane_separates(p, a, b))
+        return 0;
     for (size_t k = 0; k < a->count && !found && !p->status; k++)
         found = sector_meets(p, &a->item[k], b);
     for (size_t k = 0; k < b->count && !found && !p->status; k++)

@@ -18,6 +18,7 @@ typedef struct searcher {
     size_t piece;
     placing whole; /* on the whole piece */
     deep_interval deep;
+    int level; /* of the interval that was asked exactly last */
 } searcher;
 
 /* An interval of the piece, and the motion during it. */
@@ -114,6 +115,7 @@ static graze_status ask_exactly(searcher *s, stretch_forms *during, const contro
     ZEROED(near_list, near);
     int done = 0;
     HELD(algebraic_list, times);
+    s->level = during->level;
     TRY(near_pairs_take(&near, s->walk->context, s->walk->pair, leaves));
     TRY(search_deep(&done, s, during, &near, leaves));
     if (done)
@@ -142,6 +144,9 @@ static graze_status search_stretch(searcher *s, stretch_forms *during, const nod
         return GRAZE_OK;
     if (is_deep(s, &during->interval) == 2)
         return go_over(s, &during->interval, pair_walk_pass);
+    /* After a first contact only the beginning of the time matters. */
+    if (s->walk->first && !s->walk->until && s->walk->open && during->level < s->level)
+        return search_halves(s, during, of);
     ZEROED(node_list, left);
     ZEROED(node_list, coarse);
     ZEROED(control_maps, maps);

@@ -3,13 +3,15 @@
 #include "base/context/scope.h"
 #include "questions/collide/placing.h"
 
-/* Does the motion reverse orientation? Its determinant never vanishes, so one time tells. */
-static int is_mirrored(const point_map *map) {
-    int n = map->dimension * (map->dimension + 1);
-    LOCAL_VEC(fmpq, value, n);
+/* The motion's determinant never vanishes, so one time tells. */
+int placing_mirrors(placing *p) {
+    LOCAL_VEC(fmpq, value, POINT_MAP_ENTRIES);
     LOCAL(fmpq, start);
-    point_map_at(value, map, start);
-    return affine_orientation(value, map->dimension) < 0;
+    if (!p->orientation) {
+        point_map_at(value, &p->pair->motion->piece[0].forward, start);
+        p->orientation = affine_orientation(value, p->pair->motion->dimension);
+    }
+    return p->orientation < 0;
 }
 
 /* Set the map at u, with constants as entries. */
@@ -30,14 +32,11 @@ void placing_init(placing *p, graze_context *context, const solid_pair *pair, si
     const motion_piece *m = &pair->motion->piece[piece];
     const point_map *map[] = {[SIDE_MOVING] = &m->forward, [SIDE_FIXED] = &m->inverse};
     *p = (placing){.pair = pair, .context = context, .is_frozen = u != NULL, .piece = piece};
-    for (int k = 0; k < KNOWN_SIGNS; k++)
-        fmpz_poly_init(&p->known.of[k]);
     p->near = pair->near ? &pair->near[piece] : NULL;
     if (p->near && u) {
         clearance_freeze(&p->frozen_near, p->near, u);
         p->near = &p->frozen_near;
     }
-    p->mirrored = is_mirrored(&pair->motion->piece[0].forward);
     for (int side = 0; side < 2; side++) {
         if (u)
             freeze(&p->frozen[side], map[side], u);
@@ -55,6 +54,9 @@ void placing_clear(placing *p) {
         clearance_clear(&p->frozen_near);
     for (int k = 0; k < KNOWN_SIGNS; k++)
         fmpz_poly_clear(&p->known.of[k]);
+    _fmpz_vec_zero(p->room, 12);
+    fmpz_poly_clear(p->value);
+    fmpz_poly_clear(p->product);
     for (int side = 0; side < 2; side++) {
         placed_vertices *v = &p->vertices[side];
         for (size_t k = 0; k < v->index.count; k++) {
@@ -64,7 +66,6 @@ void placing_clear(placing *p) {
         free(v->vertex);
         free(v->at);
         slots_clear(&v->index);
-        form_memory_clear(&p->forms[side]);
         if (p->is_frozen)
             point_map_clear(&p->frozen[side]);
     }
@@ -114,18 +115,16 @@ static void pull_to_vertex(fmpz_poly_t out, placing *p, pair_side side, const fm
 }
 
 void placing_plane(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex, uint32_t vertex) {
-    LOCAL_VEC(fmpz, form, 4);
-    known_plane(form, &p->forms[side], placing_solid(p, side), simplex);
-    pull_to_vertex(out, p, side, form, vertex);
+    known_plane(p->room, p->pair->forms[side], placing_solid(p, side), simplex);
+    pull_to_vertex(out, p, side, p->room, vertex);
 }
 
 void placing_side(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex, int k,
                   uint32_t vertex) {
     const graze_solid *solid = placing_solid(p, side);
-    LOCAL_VEC(fmpz, plane, 4);
-    LOCAL_VEC(fmpz, room, 4);
-    known_plane(plane, &p->forms[side], solid, simplex);
-    pull_to_vertex(out, p, side, known_side(room, &p->forms[side], solid, simplex, plane, k),
+    form_memory *forms = p->pair->forms[side];
+    known_plane(p->room, forms, solid, simplex);
+    pull_to_vertex(out, p, side, known_side(p->room + 4, forms, solid, simplex, p->room, k),
                    vertex);
 }
 
@@ -143,9 +142,7 @@ void placing_edges(fmpz_poly_t out, placing *p, const uint32_t moving[2], const 
                                        {{2, 1}, {0, 2}, {1, 0}, {0, 0}}};
     const trajectory *a = placing_vertex(p, SIDE_MOVING, moving[0]);
     const trajectory *b = a ? placing_vertex(p, SIDE_MOVING, moving[1]) : NULL;
-    LOCAL_VEC(fmpz, end, 12);
-    fmpz *row = end + 8;
-    LOCAL(fmpz_poly, product);
+    fmpz *end = p->room, *row = end + 8;
     fmpz_poly_zero(out);
     homogeneous_vertex(end, p->pair->fixed, fixed[0]);
     homogeneous_vertex(end + 4, p->pair->fixed, fixed[1]);
@@ -155,9 +152,9 @@ void placing_edges(fmpz_poly_t out, placing *p, const uint32_t moving[2], const 
             fmpz_mul(row + j, end + m[0], end + 4 + m[1]);
             fmpz_submul(row + j, end + m[1], end + 4 + m[0]);
         }
-        trajectory_pullback(product, b, row);
-        fmpz_poly_mul(product, product, &a->x[i]);
-        fmpz_poly_add(out, out, product);
+        trajectory_pullback(p->product, b, row);
+        fmpz_poly_mul(p->product, p->product, &a->x[i]);
+        fmpz_poly_add(out, out, p->product);
     }
 }
 
@@ -200,21 +197,18 @@ int placing_sign(placing *p, const fmpz_poly_t q) {
 }
 
 int placing_plane_sign(placing *p, pair_side side, uint32_t simplex, uint32_t vertex) {
-    LOCAL(fmpz_poly, q);
-    placing_plane(q, p, side, simplex, vertex);
-    return placing_sign(p, q);
+    placing_plane(p->value, p, side, simplex, vertex);
+    return placing_sign(p, p->value);
 }
 
 int placing_side_sign(placing *p, pair_side side, uint32_t simplex, int k, uint32_t vertex) {
-    LOCAL(fmpz_poly, q);
-    placing_side(q, p, side, simplex, k, vertex);
-    return placing_sign(p, q);
+    placing_side(p->value, p, side, simplex, k, vertex);
+    return placing_sign(p, p->value);
 }
 
 int placing_edges_sign(placing *p, const uint32_t moving[2], const uint32_t fixed[2]) {
-    LOCAL(fmpz_poly, q);
-    placing_edges(q, p, moving, fixed);
-    return placing_sign(p, q);
+    placing_edges(p->value, p, moving, fixed);
+    return placing_sign(p, p->value);
 }
 
 int placing_inside(unsigned *zero, placing *p, pair_side side, uint32_t simplex, uint32_t vertex) {

@@ -61,13 +61,14 @@ typedef struct placing {
     point_map frozen[2];     /* if is_frozen: both maps at the rational time */
     int is_frozen;
     placed_vertices vertices[2];
-    form_memory forms[2];
     algebraic *when;
     known_signs known;
     size_t piece;
     const clearance *near; /* NULL: 0 */
     clearance frozen_near;
-    int mirrored; /* the motion reverses orientation */
+    int orientation; /* of placing_mirrors; 0: not known yet */
+    fmpz room[12];   /* scratch memory of one question, as are the next ones */
+    fmpz_poly_t value, product;
 } placing;
 
 /** Place both solids at a rational time of a piece; or, if `u` is NULL, on the whole piece: then
@@ -75,6 +76,9 @@ typedef struct placing {
 void placing_init(placing *p, graze_context *context, const solid_pair *pair, size_t piece,
                   const fmpq *u);
 void placing_clear(placing *p);
+
+/** Does the motion reverse orientation? */
+int placing_mirrors(placing *p);
 
 /** Set the time of signs; it is borrowed, and questions narrow it. */
 void placing_set_time(placing *p, algebraic *when);

@@ -14,20 +14,18 @@ typedef struct finder {
 } finder;
 
 static int form_sign_there(finder *f, const fmpz *form) {
-    LOCAL(fmpz_poly, q);
-    trajectory_pullback(q, &f->at, form);
-    return placing_sign(f->p, q);
+    trajectory_pullback(f->p->value, &f->at, form);
+    return placing_sign(f->p, f->p->value);
 }
 
 static void look_at_simplex(finder *f, uint32_t simplex) {
     star_simplex found = {.simplex = simplex};
-    LOCAL_VEC(fmpz, plane, 4);
-    LOCAL_VEC(fmpz, room, 4);
-    known_plane(plane, &f->p->forms[f->side], f->solid, simplex);
+    fmpz *plane = f->p->room;
+    form_memory *forms = f->p->pair->forms[f->side];
+    known_plane(plane, forms, f->solid, simplex);
     int held = form_sign_there(f, plane) == 0;
     for (int k = 0; k < f->solid->input.dimension && held; k++) {
-        int sign = form_sign_there(
-            f, known_side(room, &f->p->forms[f->side], f->solid, simplex, plane, k));
+        int sign = form_sign_there(f, known_side(plane + 4, forms, f->solid, simplex, plane, k));
         held = sign >= 0;
         found.zero |= sign == 0 ? 1u << k : 0;
     }

@@ -49,8 +49,7 @@ void edge_vector(moving_vector *out, placing *p, pair_side side, uint32_t simple
     slong d = solid->input.dimension;
     const uint32_t *vertex = solid->cut.item[simplex].vertex;
     LOCAL_VEC(fmpq, difference, d);
-    LOCAL_VEC(fmpz, integer, d + 1);
-    LOCAL(fmpz_poly, term);
+    fmpz *integer = p->room;
     for (slong i = 0; i < d; i++)
         fmpq_sub(difference + i, solid->input.coordinates + vertex[b] * (size_t)d + i,
                  solid->input.coordinates + vertex[a] * (size_t)d + i);
@@ -61,8 +60,8 @@ void edge_vector(moving_vector *out, placing *p, pair_side side, uint32_t simple
         if (side == SIDE_FIXED)
             fmpz_poly_set_fmpz(&out->c[i], integer + i);
         for (slong j = 0; j < d && side == SIDE_MOVING; j++) {
-            fmpz_poly_scalar_mul_fmpz(term, &map->entry[i * (d + 1) + j], integer + j);
-            fmpz_poly_add(&out->c[i], &out->c[i], term);
+            fmpz_poly_scalar_mul_fmpz(p->product, &map->entry[i * (d + 1) + j], integer + j);
+            fmpz_poly_add(&out->c[i], &out->c[i], p->product);
         }
     }
 }
