@@ -89,14 +89,6 @@ static void fill_germ(site_germ *germ, const graze_site *s, size_t facet, int si
     fmpq_init(germ->speed);
     fmpq_init(germ->drift);
     fmpq_init(germ->theta);
-    if (side > 0 && sides_within_piece(s->side)) { /* as before t */
-        fmpq_set(germ->speed, germ[-1].speed);
-        fmpq_set(germ->drift, germ[-1].drift);
-        fmpq_set(germ->theta, germ[-1].theta);
-        germ->order = germ[-1].order;
-        germ->sign = germ->order % 2 ? -germ[-1].sign : germ[-1].sign;
-        return;
-    }
     sides_speed(germ->speed, s->side, side > 0, normal, s->y);
     flow_along(germ->drift, normal, f->drift, s->y, d);
     flow_along(germ->theta, normal, f->bend, s->y, d);
