@@ -61,6 +61,8 @@ typedef struct graze_generator graze_generator;
 
 /** Make only points whose coordinates are binary64 numbers. */
 #define GRAZE_GENERATE_REPRESENTABLE 1u
+/** Make only such points, and give the weight of each unrepresentable stratum to `rounded` too. */
+#define GRAZE_GENERATE_ROUNDED 3u
 
 /**
  * Make a generator of query points for a scene, which is borrowed and must outlive it. A stratum
@@ -70,7 +72,7 @@ typedef struct graze_generator graze_generator;
  * decades in which a number of tries finds no point are missing.
  * @param weights GRAZE_STRATUM_COUNT weights of at most 10^6, or NULL for the defaults, with which
  * at least 70 % of the points are degenerate
- * @param flags   0 or GRAZE_GENERATE_REPRESENTABLE
+ * @param flags   0, GRAZE_GENERATE_REPRESENTABLE or GRAZE_GENERATE_ROUNDED
  * @return GRAZE_EINPUT a curved solid without a box; GRAZE_EUSE an unknown flag, all weights 0, or
  * no stratum with a weight can be made; GRAZE_ELIMIT, with `level` also as in graze_distances;
  * GRAZE_ECANCELED, GRAZE_ESYSTEM
@@ -83,6 +85,10 @@ GRAZE_API void graze_generator_destroy(graze_generator *generator);
 /** Weight in force; 0 for a stratum that cannot be made, and for NULL. */
 GRAZE_API unsigned long graze_generator_weight(const graze_generator *generator,
                                                graze_stratum stratum);
+/** Has a stratum with a weight, by trials, points in the scene, but none of binary64 numbers? 0 for
+ * a generator that makes other points too, and for NULL. */
+GRAZE_API int graze_generator_is_unrepresentable(const graze_generator *generator,
+                                                 graze_stratum stratum);
 /** A decade of `level` that is missing, by index from 0: 10^*decade <= |s| < 10^(*decade + 1), s >
  * 0 if *outward. Returns 0, and sets nothing, past the last one and for NULL. */
 GRAZE_API int graze_generator_missing_decade(int *decade, int *outward,
@@ -95,7 +101,8 @@ GRAZE_API unsigned long graze_stratum_default_weight(graze_stratum stratum);
 GRAZE_API void graze_generator_box(mpq_t *low, mpq_t *high, const graze_generator *generator);
 /**
  * Make the point of a row; rows count from 0. The point depends on scene, seed, weights, flags and
- * row alone; different rows may have equal points.
+ * row alone; different rows may have equal points. If point and time are NULL, only the stratum of
+ * `out` is sure to be set, which is cheaper for some strata.
  * @param[out] point d initialised rationals
  * @param[out] time  initialised; the time of the contact, 0 without a contact
  * @param[out] out   the way in which the point was made

@@ -17,7 +17,7 @@ graze_status graze_generator_create(graze_generator **out, graze_context *contex
                                     const graze_scene *scene, unsigned long long seed,
                                     const unsigned long *weights, unsigned flags) {
     PUBLIC_OUT(out, context, scene);
-    REFUSED(flags & ~GRAZE_GENERATE_REPRESENTABLE, "an unknown flag is set");
+    REFUSED(flags == 2 || flags > GRAZE_GENERATE_ROUNDED, "an unknown flag is set");
     TRY(api_takes(context, "graze_generator_create", scene->solid));
     unsigned long chosen[GRAZE_STRATUM_COUNT];
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
@@ -27,8 +27,7 @@ graze_status graze_generator_create(graze_generator **out, graze_context *contex
     graze_generator *made = malloc(sizeof *made);
     if (!made)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a generator");
-    graze_status status = generator_make(made, context, scene, seed, chosen,
-                                         (flags & GRAZE_GENERATE_REPRESENTABLE) != 0);
+    graze_status status = generator_make(made, context, scene, seed, chosen, flags);
     if (status)
         graze_generator_destroy(made);
     else
@@ -40,6 +39,10 @@ DESTROYER(graze_generator, generator_clear(of))
 
 unsigned long graze_generator_weight(const graze_generator *generator, graze_stratum stratum) {
     return generator && stratum_name(stratum) ? generator->weight[stratum] : 0;
+}
+
+int graze_generator_is_unrepresentable(const graze_generator *generator, graze_stratum stratum) {
+    return generator && stratum_name(stratum) && generator->unrepresentable >> stratum & 1;
 }
 
 int graze_generator_missing_decade(int *decade, int *outward, const graze_generator *generator,
@@ -61,13 +64,15 @@ void graze_generator_box(mpq_t *low, mpq_t *high, const graze_generator *generat
 graze_status graze_generator_point(mpq_t *point, mpq_t time, graze_sample *out,
                                    graze_context *context, const graze_generator *generator,
                                    unsigned long long row) {
-    REFUSED(!point || !time || !out || !context || !generator, "no argument may be NULL");
+    REFUSED(!point != !time || !out || !context || !generator, "no argument may be NULL");
     IN_ENVIRONMENT();
     HELD(sample, s);
+    s.alone = !point && !generator->atlas;
     graze_status status = generator_sample(&s, context, generator, row);
     *out = s.made;
-    if (!status)
+    if (!status && point)
         api_point_out(point, s.point, generator->scene->motion->dimension);
-    fmpq_get_mpq(time, s.time);
+    if (point)
+        fmpq_get_mpq(time, s.time);
     return status;
 }

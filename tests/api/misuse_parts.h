@@ -21,6 +21,12 @@ static void generators(bench *b) {
     HARMLESS(graze_generator_weight, !graze_generator_weight(NULL, GRAZE_STRATUM_FACE));
     HARMLESS(graze_generator_weight, !graze_generator_weight(g, GRAZE_STRATUM_COUNT));
     HARMLESS(graze_generator_weight, !graze_generator_weight(g, (graze_stratum)-1));
+    HARMLESS(graze_generator_is_unrepresentable,
+             !graze_generator_is_unrepresentable(NULL, GRAZE_STRATUM_FACE));
+    HARMLESS(graze_generator_is_unrepresentable,
+             !graze_generator_is_unrepresentable(g, GRAZE_STRATUM_COUNT));
+    HARMLESS(graze_generator_is_unrepresentable,
+             !graze_generator_is_unrepresentable(g, (graze_stratum)-1));
     int decade, outward;
     HARMLESS(graze_generator_missing_decade, !graze_generator_missing_decade(NULL, &outward, g, 0));
     HARMLESS(graze_generator_missing_decade, !graze_generator_missing_decade(&decade, NULL, g, 0));

@@ -11,6 +11,7 @@ import scenes
 
 FACES = 1000
 LEAST = 2000  # rows a second
+MOST = 3  # times `graze classify` of as many degenerate points
 MOTIONS = {"translation": certificates.MOTION, "rotation": scenes.ROTATION.json}
 
 
@@ -39,6 +40,8 @@ def run(table, graze, folder, count):
         motion = os.path.join(folder, f"contacts-{name}.json")
         with open(motion, "w", encoding="ascii") as file:
             file.write(text)
+        points = {n: certificates.write_points(graze, folder, solid, motion, "degenerate", n) for n in (1, count)}
+        classified = certificates.a_row(count, lambda n: [graze, "classify", solid, motion, points[n], "--jobs", "1", "--quiet"])
         for flags in ([], ["--snap"]):
             path = lambda n: os.path.join(folder, f"contacts{n}{''.join(flags)}.csv")
             for n in (1, count):
@@ -47,3 +50,5 @@ def run(table, graze, folder, count):
                 count, lambda n: [graze, "contact", solid, motion, path(n), "--jobs", "1", "--quiet", *flags])
             table.row(f"graze contact {' '.join(flags)}, {name} ({count:,} rows)".replace(" ,", ","), certificates.as_multiple(1, spent),
                       least=LEAST, unit=" rows/s", graze=spent)
+            table.row(f"  / classify of as many degenerate points, {name}", certificates.as_multiple(spent, classified), most=MOST,
+                      graze=spent, peer=classified)

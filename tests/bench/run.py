@@ -22,6 +22,7 @@ import outlines
 import positions
 import scenes
 import turns
+import waiting
 from cores import Cores
 from measure import Server, Stream, fitting, in_turns, run_cpu, same_numbers
 from table import Table
@@ -326,6 +327,7 @@ class Bench:
         self.grid("L-shape", scenes.L_SHAPE)
         certificates.run(self.table, self.graze, self.folder, 60 if self.options.quick else 300)
         contacts.run(self.table, self.graze, self.folder, 500 if self.options.quick else 2000)
+        waiting.run(self.table, self.graze, self.folder)
         judging.run(self.table, self.graze, self.folder, self.options.quick)
         outlines.run(self.table, self.graze, self.folder)
         positions.run(self.table, self.graze, self.folder, 20 if self.options.quick else 100)

@@ -190,7 +190,8 @@ int fuzz_generate(const uint8_t *data, size_t size) {
     graze_context *context = fuzz_context();
     graze_generator *g = NULL;
     const graze_scene *scene = fuzz_still_scene(take_from(&b, 2, 3));
-    unsigned flags = take(&b) & GRAZE_GENERATE_REPRESENTABLE;
+    unsigned flags = take(&b) & GRAZE_GENERATE_ROUNDED;
+    flags = flags == 2 ? 0 : flags;
     unsigned long long seed = take(&b), first = take(&b);
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
         weights[k] = take(&b);
@@ -211,6 +212,10 @@ int fuzz_generate(const uint8_t *data, size_t size) {
                GRAZE_OK);
         EXPECT(graze_stratum_name(sample.stratum) != NULL);
         EXPECT(graze_generator_weight(g, sample.stratum) > 0);
+        graze_sample alone;
+        EXPECT(graze_generator_point(NULL, NULL, &alone, context, g, first * 1000 + row) ==
+               GRAZE_OK);
+        EXPECT(alone.stratum == sample.stratum);
         for (int k = 0; flags && k < graze_scene_dimension(scene); k++) {
             mpq_t back;
             mpq_init(back);
@@ -222,6 +227,11 @@ int fuzz_generate(const uint8_t *data, size_t size) {
             check_side(context, scene, point, sample.pmc);
         else if (sample.order != 0 && sample.k == 0 && sample.stratum != GRAZE_STRATUM_LEVEL)
             check_contact(context, scene, point, time);
+    }
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
+        int none = graze_generator_is_unrepresentable(g, (graze_stratum)k);
+        EXPECT(!none || (flags && !graze_generator_weight(g, (graze_stratum)k)));
+        EXPECT(!none || preset || weights[k]);
     }
     int decade, outward;
     for (size_t k = 0; graze_generator_missing_decade(&decade, &outward, g, k); k++)

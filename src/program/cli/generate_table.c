@@ -186,12 +186,16 @@ static void put_making(maker *m, const graze_sample *made, unsigned long row) {
 static int put_sample(int *is_new, maker *m, const generate_options *o, unsigned long long draw,
                       unsigned long row) {
     graze_sample made;
-    TRY(complain_of(
-        graze_generator_point(m->point, m->time, &made, m->l.context, m->generator, draw),
-        m->l.context));
+    int passes = m->points.is_wanted && !graze_solid_primitive_count(m->l.solid);
+    graze_status status = graze_generator_point(passes ? NULL : m->point, passes ? NULL : m->time,
+                                                &made, m->l.context, m->generator, draw);
     m->undecided += made.undecided;
-    if (distinct_wants(&m->points, made.stratum))
-        TRY(put_sample_point(is_new, m, &o->coordinates, &made, row));
+    if (!status && !distinct_wants(&m->points, made.stratum))
+        return EXIT_DONE;
+    if (!status && passes)
+        status = graze_generator_point(m->point, m->time, &made, m->l.context, m->generator, draw);
+    TRY(complain_of(status, m->l.context));
+    TRY(put_sample_point(is_new, m, &o->coordinates, &made, row));
     if (*is_new)
         put_making(m, &made, row);
     return EXIT_DONE;
@@ -223,24 +227,24 @@ static int put_samples(maker *m, const generate_options *o) {
 }
 
 /* Find the strata that get no points: `unrepresentable` ones have points without --representable,
- * `absent` ones have none. */
+ * `absent` ones have none. The weight of the former may go to the stratum `rounded`, whose points
+ * are doubles next to contacts. */
 static int find_lost(maker *m, const generate_options *o) {
     lost_strata *lost = &m->made.lost;
-    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
-        if (m->weights[k] && !graze_generator_weight(m->generator, (graze_stratum)k))
+    const graze_generator *g = m->generator;
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
+        unsigned is_unrepresentable = graze_generator_is_unrepresentable(g, (graze_stratum)k);
+        if (m->weights[k] && !is_unrepresentable && !graze_generator_weight(g, (graze_stratum)k))
             lost->absent |= 1u << k;
-    if (!lost->absent || !o->representable)
+        lost->unrepresentable |= is_unrepresentable << k;
+    }
+    if (!lost->unrepresentable)
         return EXIT_DONE;
-    OWNED(graze_generator, any);
-    graze_status made =
-        graze_generator_create(&any, m->l.context, m->l.scene, o->seed.seed, m->weights, 0);
-    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
-        if (lost->absent >> k & 1 && graze_generator_weight(any, (graze_stratum)k))
-            lost->unrepresentable |= 1u << k;
-    lost->absent &= ~lost->unrepresentable;
-    if (!made && lost->unrepresentable)
-        made = lost_strata_dyadic(lost, &m->l, &o->scene, o->seed.seed, m->weights);
-    return complain_of(made, m->l.context);
+    if (!o->strata) {
+        m->weights[GRAZE_STRATUM_ROUNDED] = 1; /* its line stands in the head */
+        lost->replaced = graze_generator_weight(g, GRAZE_STRATUM_ROUNDED) > 0;
+    }
+    return complain_of(lost_strata_dyadic(lost, &m->l, &o->scene, o->seed.seed), m->l.context);
 }
 
 /* Say which strata get no points, or fewer. */
@@ -271,24 +275,12 @@ static int tell_missing_decades(const maker *m) {
 }
 
 static int make_generator(maker *m, const generate_options *o) {
-    graze_generator_destroy(m->generator);
-    m->generator = NULL;
-    graze_status made =
-        graze_generator_create(&m->generator, m->l.context, m->l.scene, o->seed.seed, m->weights,
-                               o->representable ? GRAZE_GENERATE_REPRESENTABLE : 0);
+    unsigned flags = !o->representable ? 0
+                     : o->strata       ? GRAZE_GENERATE_REPRESENTABLE
+                                       : GRAZE_GENERATE_ROUNDED;
+    graze_status made = graze_generator_create(&m->generator, m->l.context, m->l.scene,
+                                               o->seed.seed, m->weights, flags);
     return complain_of_use(made, m->l.context);
-}
-
-/* Give the weight of unrepresentable strata to the stratum `rounded`, whose points are doubles next
- * to contacts. */
-static int replace_lost(maker *m, const generate_options *o) {
-    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
-        if (m->made.lost.unrepresentable >> k & 1)
-            m->weights[GRAZE_STRATUM_ROUNDED] += m->weights[k];
-    int status = make_generator(m, o);
-    m->made.lost.replaced =
-        !status && graze_generator_weight(m->generator, GRAZE_STRATUM_ROUNDED) > 0;
-    return status;
 }
 
 static int put_table(maker *m, const generate_options *o) {
@@ -308,8 +300,6 @@ static int write_points(maker *m, const generate_options *o) {
     TRY(loaded_read(&m->l, &o->scene, EXIT_INPUT, NULL));
     TRY(make_generator(m, o));
     TRY(find_lost(m, o));
-    if (m->made.lost.unrepresentable && !o->strata)
-        TRY(replace_lost(m, o));
     if (m->made.lost.unrepresentable)
         TRY(tell_lost(&m->made.lost, o));
     TRY(tell_missing_decades(m));

@@ -5,12 +5,13 @@
 #include "program/cli/values.h"
 
 graze_status lost_strata_dyadic(lost_strata *lost, const loaded *l, const scene_options *o,
-                                unsigned long long seed, const unsigned long *weights) {
+                                unsigned long long seed) {
     graze_context *context = l->context;
     OWNED(graze_motion, motion);
     OWNED(graze_scene, scene);
     OWNED(graze_generator, generator);
     FREED(char, json, NULL);
+    unsigned long weights[GRAZE_STRATUM_COUNT];
     graze_options options = o->scene;
     options.size = sizeof options;
     LOCAL(mpq, tolerance);
@@ -20,12 +21,12 @@ graze_status lost_strata_dyadic(lost_strata *lost, const loaded *l, const scene_
         status = graze_motion_from_json(&motion, context, json, strlen(json));
     if (!status)
         status = graze_scene_create(&scene, context, l->solid, motion, &options);
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
+        weights[k] = lost->unrepresentable >> k & 1;
     if (!status)
         status = graze_generator_create(&generator, context, scene, seed, weights,
                                         GRAZE_GENERATE_REPRESENTABLE);
-    for (int k = 0; k < GRAZE_STRATUM_COUNT && !status; k++)
-        lost->has_dyadic |=
-            lost->unrepresentable >> k & 1 && graze_generator_weight(generator, (graze_stratum)k);
+    lost->has_dyadic = !status;
     /* Other failures mean that the dyadic motion is not legal or has no points: has_dyadic is 0. */
     return status == GRAZE_ECANCELED || status == GRAZE_ESYSTEM ? status : GRAZE_OK;
 }

@@ -165,7 +165,7 @@ typedef struct lost_strata {
  * strata.
  * @return GRAZE_ECANCELED, GRAZE_ESYSTEM */
 graze_status lost_strata_dyadic(lost_strata *lost, const loaded *l, const scene_options *o,
-                                unsigned long long seed, const unsigned long *weights);
+                                unsigned long long seed);
 
 /** Lines about the lost strata, with `between` between them; an empty text if there are none.
  * malloc'ed; NULL when out of memory. */

@@ -51,7 +51,8 @@ static int cell_of(uint32_t at[3], const struct graze_boundary *b, const fmpq *p
 static graze_status ask(graze_context *context, struct graze_boundary *b, const fmpq *point) {
     graze_verdict verdict;
     uint32_t at[3];
-    TRY(classify_verdict(&verdict, context, b->scene, (query_point){.rational = point}));
+    TRY(classify_answer(&verdict, context, b->scene, (query_point){.rational = point},
+                        TRACE_PMC_BESIDE));
     b->asked++;
     if (verdict.pmc == GRAZE_ON && cell_of(at, b, point))
         b->contacts[b->contact_count++] = place_of(at, b->dimension, b->depth);

@@ -46,7 +46,8 @@ graze_status lattice_classify(graze_pmc *out, graze_context *context, struct gra
     }
     graze_verdict verdict;
     lattice_point(b->point, b, key);
-    TRY(classify_verdict(&verdict, context, b->scene, (query_point){.rational = b->point}));
+    TRY(classify_answer(&verdict, context, b->scene, (query_point){.rational = b->point},
+                        TRACE_PMC));
     *out = verdict.pmc;
     b->known[verdict.pmc]++;
     return number_index_add(&b->points, key, (unsigned char)verdict.pmc)
@@ -56,8 +57,8 @@ graze_status lattice_classify(graze_pmc *out, graze_context *context, struct gra
 
 graze_status asker_pmc(graze_pmc *out, asker *a, const fmpq *point) {
     graze_verdict verdict;
-    TRY(classify_verdict(&verdict, a->context, a->boundary->scene,
-                         (query_point){.rational = point}));
+    TRY(classify_answer(&verdict, a->context, a->boundary->scene, (query_point){.rational = point},
+                        TRACE_PMC_BESIDE));
     a->asked++;
     *out = verdict.pmc;
     return GRAZE_OK;

@@ -12,6 +12,7 @@
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "decide/trace/trace.h"
+#include "questions/contact/contact.h"
 #include "questions/distance/distance.h"
 
 /* Set `out` to a facet's normal, twice as long as the area of its outer cycle: the sum of the cross
@@ -28,23 +29,19 @@ static void facet_normal(fmpq *out, const soup *s, size_t facet) {
     }
 }
 
-/* Set `out` to a multiple of the velocity of a point's trajectory. */
+/* Set `out`, zeros, to a multiple of the velocity of a point's trajectory. */
 static void velocity(fmpq *out, const point_map *map, const fmpq_t u, const fmpq *point) {
-    int d = map->dimension;
-    LOCAL_VEC(fmpq, w, 3);
-    fmpq *slope = w + 1, *value = w + 2;
-    HELD(trajectory, path, d);
-    LOCAL(fmpz_poly, derivative);
-    trajectory_set(&path, map, point);
-    fmpz_poly_evaluate_fmpq(w, &path.x[d], u);
-    fmpz_poly_derivative(derivative, &path.x[d]);
-    fmpz_poly_evaluate_fmpq(slope, derivative, u);
-    for (int k = 0; k < d; k++) {
-        fmpz_poly_derivative(derivative, &path.x[k]);
-        fmpz_poly_evaluate_fmpq(out + k, derivative, u);
-        fmpq_mul(out + k, out + k, w);
-        fmpz_poly_evaluate_fmpq(value, &path.x[k], u);
-        fmpq_submul(out + k, value, slope);
+    int size = map->dimension + 1;
+    LOCAL_VEC(fmpz, rows, 2 * size * size + 3 * size);
+    fmpz *at = rows + 2 * size * size, *x = at + size; /* (X, W), then its derivative */
+    _fmpq_vec_get_fmpz_vec_fmpz(at, at + size - 1, point, size - 1);
+    for (int k = 0; k < 2; k++)
+        map_rows(rows + k * size * size, map, u, k);
+    for (int k = 0; k < 2 * size; k++)
+        _fmpz_vec_dot(x + k, rows + k * size, at, size);
+    for (int k = 0; k < size - 1; k++) {
+        fmpz_mul(fmpq_numref(out + k), x + size + k, x + size - 1);
+        fmpz_submul(fmpq_numref(out + k), x + k, x + 2 * size - 1);
     }
 }
 

@@ -56,6 +56,12 @@ typedef struct flow {
     fmpz *w, *bend, *drift;
 } flow;
 
+/** The derivative of a point map of the given order at u, times a power of u's denominator that is
+ * one for all orders: (d + 1) * (d + 1) integers, the weight's row last. */
+void map_rows(fmpz *out, const point_map *map, const fmpq_t u, int order);
+/** out = a b; the rows of all three are `size` long, and of those of a `inner` entries count. */
+void rows_multiply(fmpz *out, const fmpz *a, const fmpz *b, int rows, int inner, int size);
+
 /** Make the flow at the parameter u of a piece (proofs/envelope.md C58). */
 void flow_init(flow *out, const motion_piece *piece, const fmpq_t u);
 /** Clear a flow; one of zeros is left. */

@@ -83,78 +83,88 @@ int sides_break(const site_side side[2], const graze_motion *motion) {
            !is_one_function(&motion->piece[side[0].piece], &motion->piece[side[1].piece]);
 }
 
-/* Value and first two derivatives of a polynomial at u. */
-static void jet_of(fmpq *out, const fmpz_poly_struct *p, const fmpq_t u) {
-    LOCAL(fmpz_poly, q);
-    fmpz_poly_set(q, p);
-    for (int k = 0; k < 3; k++) {
-        fmpz_poly_evaluate_fmpq(out + k, q, u);
-        fmpz_poly_derivative(q, q);
+void map_rows(fmpz *out, const point_map *map, const fmpq_t u, int order) {
+    int d = map->dimension, entries = d * (d + 1);
+    slong degree = fmpz_poly_degree(map->weight);
+    for (int e = 0; e < entries; e++)
+        degree = FLINT_MAX(degree, fmpz_poly_degree(&map->entry[e]));
+    LOCAL_VEC(fmpz, power, degree + 2); /* those of the numerator times those of the denominator */
+    LOCAL(fmpz_poly, p);
+    for (slong n = 0; n <= degree; n++) {
+        fmpz_pow_ui(power + n, fmpq_numref(u), (ulong)n);
+        fmpz_pow_ui(power + degree + 1, fmpq_denref(u), (ulong)(degree - n));
+        fmpz_mul(power + n, power + n, power + degree + 1);
+    }
+    _fmpz_vec_zero(out + entries, d);
+    for (int e = 0; e <= entries; e++) {
+        fmpz_poly_set(p, e < entries ? &map->entry[e] : map->weight);
+        for (int k = 0; k < order; k++)
+            fmpz_poly_derivative(p, p);
+        _fmpz_vec_dot(out + (e < entries ? e : entries + d), p->coeffs, power, fmpz_poly_length(p));
     }
 }
 
-/* First and second derivative of x / w from the values and derivatives of both. */
-static void quotient_derivatives(fmpq_t first, fmpq_t second, const fmpq *x, const fmpq *w) {
-    LOCAL(fmpq, value);
-    fmpq_div(value, x, w);
-    fmpq_set(first, x + 1);
-    fmpq_submul(first, value, w + 1);
-    fmpq_div(first, first, w);
-    fmpq_set(second, x + 2);
-    fmpq_submul(second, first, w + 1);
-    fmpq_submul(second, first, w + 1);
-    fmpq_submul(second, value, w + 2);
-    fmpq_div(second, second, w);
-}
-
-/* Derivatives of a map's entries by t at the parameter u of a piece. */
-static void entry_derivatives(fmpq *first, fmpq *second, const motion_piece *piece,
-                              const fmpq_t u) {
-    const point_map *map = &piece->forward;
-    LOCAL_VEC(fmpq, x, 7);
-    fmpq *w = x + 3, *width = x + 6;
-    fmpq_sub(width, piece->hi, piece->lo);
-    jet_of(w, map->weight, u);
-    for (int k = 0; k < map->dimension * (map->dimension + 1); k++) {
-        jet_of(x, &map->entry[k], u);
-        quotient_derivatives(first + k, second + k, x, w);
-        fmpq_div(first + k, first + k, width);
-        fmpq_div(second + k, second + k, width);
-        fmpq_div(second + k, second + k, width);
+void rows_multiply(fmpz *out, const fmpz *a, const fmpz *b, int rows, int inner, int size) {
+    for (int e = 0; e < rows * size; e++) {
+        fmpz_zero(out + e);
+        for (int k = 0; k < inner; k++)
+            fmpz_addmul(out + e, a + e / size * size + k, b + k * size + e % size);
     }
 }
 
-/* out = `sign` times L b, L the linear part of a; all are matrices of d rows and d + 1 columns. */
-static void multiply_linear(fmpq *out, int sign, const fmpq *a, const fmpq *b, int d) {
-    for (int i = 0; i < d; i++)
-        for (int c = 0; c <= d; c++) {
-            fmpq *entry = out + i * (d + 1) + c;
-            fmpq_zero(entry);
-            for (int j = 0; j < d; j++)
-                (sign < 0 ? fmpq_submul : fmpq_addmul)(entry, a + i * (d + 1) + j,
-                                                       b + j * (d + 1) + c);
-        }
+/* Set a flow's map to numerators over a denominator, by u, times `width` of a piece to the power
+ * -order. */
+static void set_rows(fmpz *out, const fmpz *rows, const fmpz_t common, const fmpq_t width,
+                     int order, int n) {
+    LOCAL(fmpz, factor);
+    fmpz_pow_ui(factor, fmpq_denref(width), (ulong)order);
+    _fmpz_vec_scalar_mul_fmpz(out, rows, n, factor);
+    fmpz_pow_ui(factor, fmpq_numref(width), (ulong)order);
+    fmpz_mul(out + n, common, factor);
+    _fmpz_vec_content(factor, out, n + 1);
+    _fmpz_vec_scalar_divexact_fmpz(out, out, n + 1, factor);
 }
 
+/* With (N, W) the inverse map and (B, V) the map at u, c = N P / W and P = B y / V, so by u
+ * c' = (N'B - W'V y) / (W V) and c'' = (W N''B - 2 W' (N'B - W'V y) - W W''V y) / (W^2 V); the
+ * derivative of -c' at fixed y is c' with its linear part before it, minus c''. */
 void flow_init(flow *out, const motion_piece *piece, const fmpq_t u) {
-    int d = piece->forward.dimension, n = d * (d + 1);
-    LOCAL_VEC(fmpq, inverse, 7 * n);
-    fmpq *first = inverse + n, *second = first + n, *turned = second + n;
-    fmpq *w = turned + n, *bend = w + n, *drift = bend + n;
+    int d = piece->forward.dimension, n = d * (d + 1), all = n + d + 1;
+    LOCAL_VEC(fmpz, place, 7 * all + 3);
+    fmpz *rows = place + all, *first = rows + 3 * all, *second = first + all,
+         *turned = second + all;
+    fmpz *factor = turned + all, *common = factor + 1;
+    const fmpz *v = place + all - 1, *w = rows + all - 1, *w1 = w + all, *w2 = w1 + all;
     fmpz *map = _fmpz_vec_init(3 * (n + 1));
     *out = (flow){.dimension = d, .w = map, .bend = map + n + 1, .drift = map + 2 * (n + 1)};
-    point_map_at(inverse, &piece->inverse, u);
-    entry_derivatives(first, second, piece, u);
-    multiply_linear(w, -1, inverse, first, d);
-    /* drift = A^-1 (A'' y + b'' + A'w), bend = -A^-1 (A'' y + b'' + 2 A'w) */
-    multiply_linear(turned, 1, first, w, d);
-    vector_add(second, second, turned, n);
-    multiply_linear(drift, 1, inverse, second, d);
-    vector_add(second, second, turned, n);
-    multiply_linear(bend, -1, inverse, second, d);
+    LOCAL(fmpq, width);
+    fmpq_sub(width, piece->hi, piece->lo);
+    map_rows(place, &piece->forward, u, 0);
     for (int k = 0; k < 3; k++)
-        _fmpq_vec_get_fmpz_vec_fmpz(map + k * (n + 1), map + k * (n + 1) + n, w + k * n, n);
-    out->orientation = affine_orientation(inverse, d);
+        map_rows(rows + k * all, &piece->inverse, u, k);
+    rows_multiply(first, rows + all, place, d, d + 1, d + 1);
+    rows_multiply(second, rows + 2 * all, place, d, d + 1, d + 1);
+    _fmpz_vec_scalar_mul_fmpz(second, second, n, w);
+    for (int i = 0; i < d; i++) {
+        fmpz_submul(first + i * (d + 2), w1, v);
+        fmpz_mul(factor, w2, v);
+        fmpz_submul(second + i * (d + 2), factor, w);
+    }
+    fmpz_mul_ui(factor, w1, 2);
+    _fmpz_vec_scalar_submul_fmpz(second, first, n, factor);
+    fmpz_mul(common, w, v);
+    set_rows(out->w, first, common, width, 1, n);
+    fmpz_mul(factor, common, w);
+    set_rows(out->bend, second, factor, width, 2, n);
+    rows_multiply(turned, first, first, d, d, d + 1);
+    _fmpz_vec_scalar_submul_fmpz(turned, second, n, v);
+    fmpz_mul(common, common, common);
+    set_rows(out->drift, turned, common, width, 2, n);
+    LOCAL(fmpz_mat, linear, d, d);
+    for (int k = 0; k < d * d; k++)
+        fmpz_set(fmpz_mat_entry(linear, k / d, k % d), place + k / d * (d + 1) + k % d);
+    fmpz_mat_det(factor, linear);
+    out->orientation = fmpz_sgn(factor);
 }
 
 void flow_clear(flow *f) {
@@ -164,12 +174,14 @@ void flow_clear(flow *f) {
 }
 
 void flow_along(fmpq_t out, const fmpz *normal, const fmpz *map, const fmpq *y, int dimension) {
-    LOCAL_VEC(fmpz, form, dimension + 1);
+    LOCAL_VEC(fmpz, form, 2 * dimension + 3);
+    fmpz *at = form + dimension + 1, *value = at + dimension + 1;
     for (int i = 0; i < dimension; i++)
         _fmpz_vec_scalar_addmul_fmpz(form, map + i * (dimension + 1), dimension + 1, normal + i);
-    vector_dot_integers(out, form, y, dimension);
-    fmpq_add_fmpz(out, out, form + dimension);
-    fmpq_div_fmpz(out, out, map + dimension * (dimension + 1));
+    _fmpq_vec_get_fmpz_vec_fmpz(at, at + dimension, y, dimension);
+    _fmpz_vec_dot(value, form, at, dimension + 1);
+    fmpz_mul(at + dimension, at + dimension, map + dimension * (dimension + 1));
+    fmpq_set_fmpz_frac(out, value, at + dimension);
 }
 
 int sides_within_piece(const site_side side[2]) {

@@ -272,8 +272,10 @@ graze_status curved_contact(int *made, sample *out, fmpq *normal, graze_context 
     HELD(touchpoint, p, context, g);
     *made = draw_touch(&p, stratum, r);
     if (*made) {
-        affine_image(out->point, p.when->map, p.y, p.when->dimension);
-        *made = out->made.stratum == GRAZE_STRATUM_ROUNDED || sample_is_kept(out, g);
+        LOCAL_VEC(fmpz, y, 4);
+        _fmpq_vec_get_fmpz_vec_fmpz(y, y + p.when->dimension, p.y, p.when->dimension);
+        int any = !g->representable || out->made.stratum == GRAZE_STRATUM_ROUNDED;
+        *made = sample_place(out, p.when, y, !any) && (any || sample_is_kept(out, g));
     }
     if (*made) {
         TRY(find_dependence(&p));

@@ -59,10 +59,12 @@ static graze_status list_joints(struct graze_generator *g, graze_context *contex
  */
 static graze_status keep_decided(int *made, sample *out, graze_context *context,
                                  const struct graze_generator *g) {
-    graze_verdict found = {.pmc = GRAZE_PMC_NONE};
+    graze_verdict found = {.pmc = out->made.pmc};
     if (out->made.order && !out->made.k && out->made.stratum != GRAZE_STRATUM_ROUNDED)
         return GRAZE_OK;
-    TRY(classify_verdict(&found, context, g->scene, (query_point){.rational = out->point}));
+    if (out->made.stratum != GRAZE_STRATUM_ROUNDED)
+        TRY(classify_answer(&found, context, g->scene, (query_point){.rational = out->point},
+                            TRACE_PMC));
     *made = found.pmc != GRAZE_PMC_UNDECIDED;
     out->undecided += !*made;
     return GRAZE_OK;
@@ -102,12 +104,30 @@ static graze_status try_stratum(int *made, sample *s, graze_context *context,
     return GRAZE_OK;
 }
 
+/* Find out whether a stratum without points whose coordinates are doubles has others. */
+static graze_status try_unrepresentable(sample *s, graze_context *context,
+                                        struct graze_generator *g, graze_stratum stratum) {
+    int made;
+    g->representable = 0;
+    graze_status status = try_stratum(&made, s, context, g, stratum);
+    g->representable = 1;
+    g->level_count = g->missing_count = 0; /* `level` is the stratum, or not yet tried */
+    g->unrepresentable |= (unsigned)(!status && made) << stratum;
+    return status;
+}
+
 /* Set the weight of strata that no trial makes to 0. */
-static graze_status try_strata(struct graze_generator *g, graze_context *context) {
+static graze_status try_strata(struct graze_generator *g, graze_context *context, int rounds) {
     HELD(sample, s);
     for (int stratum = 0; stratum < GRAZE_STRATUM_COUNT; stratum++) {
         int made;
+        s.unkept =
+            g->representable && stratum == GRAZE_STRATUM_LEVEL; /* tries samples of its own */
         TRY(try_stratum(&made, &s, context, g, (graze_stratum)stratum));
+        if (!made && s.unkept)
+            TRY(try_unrepresentable(&s, context, g, (graze_stratum)stratum));
+        if (rounds && g->unrepresentable >> stratum & 1)
+            g->weight[GRAZE_STRATUM_ROUNDED] += g->weight[stratum];
         if (!made)
             g->weight[stratum] = 0;
         g->total += g->weight[stratum];
@@ -130,11 +150,11 @@ static graze_status survey_curved(struct graze_generator *g, graze_context *cont
 
 graze_status generator_make(struct graze_generator *out, graze_context *context,
                             const graze_scene *scene, uint64_t seed, const unsigned long *weights,
-                            int representable) {
+                            unsigned flags) {
     memset(out, 0, sizeof *out);
     out->scene = scene;
     out->seed = seed;
-    out->representable = representable;
+    out->representable = flags != 0;
     memcpy(out->weight, weights, sizeof out->weight);
     out->low = _fmpq_vec_init(6);
     out->high = out->low + 3;
@@ -143,7 +163,7 @@ graze_status generator_make(struct graze_generator *out, graze_context *context,
     TRY(make_instants(out, context));
     TRY(scene->solid->curved ? survey_curved(out, context)
                              : specials_find(&out->special, context, scene));
-    return try_strata(out, context);
+    return try_strata(out, context, flags == GRAZE_GENERATE_ROUNDED);
 }
 
 void generator_clear(struct graze_generator *g) {

@@ -52,9 +52,8 @@ typedef struct instant {
     int dimension;
     size_t piece;
     fmpq_t u, t;
-    fmpq *map;     /* M at u: d * (d + 1) */
-    fmpz *inverse; /* a positive multiple of the tracing map (N, W) at u: (d + 1) * (d + 1), the
-                      weight's row last */
+    fmpz *map, *inverse; /* positive multiples of M and of the tracing map (N, W) at u: (d + 1) *
+                            (d + 1), the weight's row last */
     /* The derivatives of order 1 and 2 of (N, W) at u, times M at u and a positive number each: (d
      * + 1) * (d + 1) integers that are applied to body points. */
     fmpz *carried[INSTANT_DERIVATIVES];
@@ -100,6 +99,7 @@ struct graze_generator {
     uint64_t seed;
     int representable;                         /* make only points whose coordinates are doubles */
     unsigned long weight[GRAZE_STRATUM_COUNT]; /* 0 where the scene has no such point */
+    unsigned unrepresentable; /* set of 1 << stratum: it has points, but none of doubles */
     unsigned long total;
     fmpq *low, *high;     /* the box of the random stratum, one array of 6 */
     size_t instant_count; /* number of times from which most strata draw */
@@ -117,6 +117,8 @@ typedef struct sample {
     graze_sample made;
     fmpq *point, *time; /* one array of 4 */
     unsigned undecided; /* number of points that were tried but have no answer */
+    int alone;          /* 1: the stratum is asked for, the point is not */
+    int unkept;         /* 1: a point that was tried is left out for its coordinates */
 } sample;
 
 void sample_init(sample *s);
@@ -132,7 +134,7 @@ unsigned long stratum_weight(graze_stratum stratum);
 /** Make a generator; the caller clears `out` by generator_clear, on failure too. */
 graze_status generator_make(struct graze_generator *out, graze_context *context,
                             const graze_scene *scene, uint64_t seed, const unsigned long *weights,
-                            int representable);
+                            unsigned flags);
 void generator_clear(struct graze_generator *g);
 
 /** Make the point of one row; the point depends only on the generator and the row.

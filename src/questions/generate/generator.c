@@ -30,6 +30,7 @@ void sample_init(sample *s) {
     s->point = _fmpq_vec_init(4);
     s->time = s->point + 3;
     s->undecided = 0;
+    s->alone = s->unkept = 0;
 }
 
 void sample_clear(sample *s) {
@@ -85,9 +86,24 @@ static int is_double(const fmpq_t x) {
            fmpz_bits(p) < 1000 && fmpz_bits(q) < 1000;
 }
 
-int sample_is_kept(const sample *s, const struct graze_generator *g) {
+int sample_place(sample *out, const instant *when, const fmpz *y, int dyadic) {
+    int d = when->dimension;
+    LOCAL_VEC(fmpz, value, 3);
+    fmpz *common = value + 1, *odd = value + 2; /* odd part of the common denominator */
+    fmpz_mul(common, when->map + d * (d + 1) + d, y + d);
+    fmpz_tdiv_q_2exp(odd, common, fmpz_val2(common));
+    for (int i = 0; i < d; i++) {
+        _fmpz_vec_dot(value, when->map + i * (d + 1), y, d + 1);
+        if (dyadic && !fmpz_divisible(value, odd))
+            return out->unkept = 1, 0;
+        fmpq_set_fmpz_frac(out->point + i, value, common);
+    }
+    return 1;
+}
+
+int sample_is_kept(sample *s, const struct graze_generator *g) {
     for (int i = 0; g->representable && i < g->scene->motion->dimension; i++)
         if (!is_double(s->point + i))
-            return 0;
+            return s->unkept = 1, 0;
     return 1;
 }

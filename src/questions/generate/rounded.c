@@ -65,7 +65,8 @@ static graze_status take_side(sample *out, graze_context *context, const struct 
         for (int i = 0; i < n->d; i++)
             TRY(rational_from_double(out->point + i, context,
                                      (first + k) % choices >> i & 1 ? n->high[i] : n->low[i]));
-        TRY(classify_verdict(&found, context, g->scene, (query_point){.rational = out->point}));
+        TRY(classify_answer(&found, context, g->scene, (query_point){.rational = out->point},
+                            TRACE_PMC_BESIDE));
         out->made.pmc = found.pmc;
     }
     return GRAZE_OK;
@@ -85,5 +86,5 @@ graze_status rounded_try(int *made, sample *out, graze_context *context,
         return GRAZE_OK;
     TRY(point_neighbours(&near, context, out->point, g->scene->motion->dimension, r));
     *made = near.moved > 0;
-    return *made ? take_side(out, context, g, &near, r) : GRAZE_OK;
+    return *made && !out->alone ? take_side(out, context, g, &near, r) : GRAZE_OK;
 }

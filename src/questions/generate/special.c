@@ -18,20 +18,18 @@ void special_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece, c
     const point_map *tracing = motion_tracing(p, scene->options.operation);
     int d = tracing->dimension;
     HELD(trajectory, place, d);
-    LOCAL(fmpz_poly, derivative);
-    LOCAL(fmpz_poly, row);
+    LOCAL(fmpz_poly, column);
     trajectory_set(&place, motion_placing(p, scene->options.operation), y);
-    fmpz_poly_derivative(derivative, tracing->weight);
-    fmpz_poly_mul(out, derivative, &place.x[d]);
-    fmpz_poly_scalar_mul_fmpz(out, out, form + d);
-    for (int i = 0; i < d; i++) {
-        fmpz_poly_zero(row);
-        for (int j = 0; j <= d; j++) {
-            fmpz_poly_derivative(derivative, &tracing->entry[i * (d + 1) + j]);
-            fmpz_poly_mul(derivative, derivative, &place.x[j]);
-            fmpz_poly_add(row, row, derivative);
-        }
-        fmpz_poly_scalar_addmul_fmpz(out, row, form + i);
+    fmpz_poly_zero(out);
+    for (int j = 0; j <= d; j++) {
+        fmpz_poly_scalar_mul_fmpz(column, tracing->weight, form + d);
+        if (j < d)
+            fmpz_poly_zero(column);
+        for (int i = 0; i < d; i++)
+            fmpz_poly_scalar_addmul_fmpz(column, &tracing->entry[i * (d + 1) + j], form + i);
+        fmpz_poly_derivative(column, column);
+        fmpz_poly_mul(column, column, &place.x[j]);
+        fmpz_poly_add(out, out, column);
     }
 }
 
@@ -64,9 +62,10 @@ int special_roots(fmpq *out, const fmpz_poly_t p) {
 }
 
 /* Append the rational roots in (0, 1) of the greatest common divisor of the vertices' normal
- * velocities, or a slide if that is 0. */
+ * velocities, or a slide if that is 0. `rootless` is the last divisor without such roots: most
+ * simplices have the one that comes from the motion's weight. */
 static graze_status look_at(specials *out, graze_context *context, const graze_scene *scene,
-                            size_t piece, size_t simplex, const fmpz *plane) {
+                            fmpz_poly_t rootless, size_t piece, size_t simplex, const fmpz *plane) {
     const graze_solid *solid = scene->solid;
     int d = solid->input.dimension;
     LOCAL(fmpz_poly, common);
@@ -76,10 +75,15 @@ static graze_status look_at(specials *out, graze_context *context, const graze_s
         special_velocity(velocity, scene, piece, plane,
                          solid->input.coordinates + solid->cut.item[simplex].vertex[k] * (size_t)d);
         fmpz_poly_gcd(common, common, velocity);
+        fmpz_poly_primitive_part(common, common);
+        if (k > 0 && fmpz_poly_equal(common, rootless))
+            return GRAZE_OK;
     }
     if (fmpz_poly_is_zero(common))
         return append_special(out, context, scene, piece, &(fmpq){1, 2}, simplex, 1);
     int count = special_roots(u, common);
+    if (!count)
+        fmpz_poly_set(rootless, common);
     for (int k = 0; k < count && out->count < MOST_SPECIALS; k++)
         TRY(append_special(out, context, scene, piece, u + k, simplex, 0));
     return GRAZE_OK;
@@ -91,6 +95,8 @@ static graze_status look_at_planes(specials *out, graze_context *context, const 
     size_t pieces = scene->motion->piece_count, seen = 0;
     size_t stride = planes->count * pieces / MOST_PAIRS + 1;
     size_t width = (size_t)planes->dimension + 1;
+    LOCAL(fmpz_poly, rootless);
+    fmpz_poly_one(rootless);
     for (size_t p = 0; p < planes->count; p++)
         plane_from[planes->order[planes->start[p]]] = (uint32_t)p + 1;
     for (size_t s = 0; s < planes->simplex_count; s++) {
@@ -99,7 +105,7 @@ static graze_status look_at_planes(specials *out, graze_context *context, const 
         const fmpz *form = planes->form + (plane_from[s] - 1) * width;
         for (size_t piece = 0; piece < pieces && out->count < MOST_SPECIALS; piece++)
             if (seen++ % stride == 0)
-                TRY(look_at(out, context, scene, piece, s, form));
+                TRY(look_at(out, context, scene, rootless, piece, s, form));
         TRY(context_poll(context));
     }
     return GRAZE_OK;

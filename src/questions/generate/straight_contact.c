@@ -15,22 +15,32 @@ typedef struct touchpoint {
     const instant *when;
     size_t simplex;
     unsigned zero; /* bits of the simplex's sides on which y lies */
-    fmpq *y;
+    fmpz *y;       /* d + 1 homogeneous integers */
 } touchpoint;
 
-static const fmpq *simplex_corner(const struct graze_generator *g, size_t simplex, int k) {
-    const graze_solid *solid = g->scene->solid;
-    return solid->input.coordinates +
-           solid->cut.item[simplex].vertex[k] * (size_t)solid->input.dimension;
+/* The corners of a simplex whose bits of `used` are set, times their common denominator, which is
+ * behind the d * d numbers; 0 for the other corners. */
+static void scaled_corners(fmpz *out, const graze_solid *solid, size_t simplex, unsigned used) {
+    size_t d = (size_t)solid->input.dimension;
+    fmpq borrowed[9];
+    for (size_t k = 0; k < d * d; k++)
+        borrowed[k] =
+            used >> k / d & 1 ? solid_corner(solid, simplex, (int)(k / d))[k % d] : (fmpq){0, 1};
+    _fmpq_vec_get_fmpz_vec_fmpz(out, out + d * d, borrowed, (slong)(d * d));
 }
 
-/* y = the sum of weight[k] times corner k of the simplex; the weights have the sum 1. */
-static void combine(fmpq *y, const struct graze_generator *g, size_t simplex, const fmpq *weight) {
+/* Set y to the sum of the corners times their weights, divided by the sum of the weights. */
+static void combine(touchpoint *p, const struct graze_generator *g, const fmpz *weight) {
     int d = g->scene->solid->input.dimension;
-    for (int i = 0; i < d; i++) {
-        fmpq_zero(y + i);
-        for (int k = 0; k < d; k++)
-            fmpq_addmul(y + i, weight + k, simplex_corner(g, simplex, k) + i);
+    unsigned used = 0;
+    LOCAL_VEC(fmpz, at, 10);
+    for (int k = 0; k < d; k++)
+        used |= (unsigned)!fmpz_is_zero(weight + k) << k;
+    scaled_corners(at, g->scene->solid, p->simplex, used);
+    _fmpz_vec_zero(p->y, d + 1);
+    for (int k = 0; k < d; k++) {
+        _fmpz_vec_scalar_addmul_fmpz(p->y, at + k * d, d, weight + k);
+        fmpz_addmul(p->y + d, weight + k, at + d * d);
     }
 }
 
@@ -42,7 +52,7 @@ static int draw_on_cell(touchpoint *p, const struct graze_generator *g, random_s
     const graze_solid *solid = g->scene->solid;
     int d = solid->input.dimension, first = (int)random_below(r, (size_t)d);
     size_t a = 1 + random_below(r, PARTS - 2), b = 1 + random_below(r, PARTS - 2);
-    slong part[3] = {0, 0, 0};
+    fmpz part[3] = {0, 0, 0}; /* small integers */
     if (cell_dimension == 0) {
         part[first] = PARTS;
         p->zero = d == 2 ? 1u << first : 1u << first | 1u << (first + 2) % 3;
@@ -61,25 +71,24 @@ static int draw_on_cell(touchpoint *p, const struct graze_generator *g, random_s
         if (part[2] <= 0)
             return 0;
     }
-    LOCAL_VEC(fmpq, weight, 3);
-    for (int k = 0; k < 3; k++)
-        fmpq_set_si(weight + k, part[k], PARTS);
-    combine(p->y, g, p->simplex, weight);
+    combine(p, g, part);
     return 1;
 }
 
 /* The derivatives of order k of the plane's pullback for the body points at the corners, times one
  * positive number. The derivative is affine over the simplex. */
-static void corner_pullbacks(fmpq *out, const touchpoint *p, const struct graze_generator *g,
+static void corner_pullbacks(fmpz *out, const touchpoint *p, const struct graze_generator *g,
                              int k) {
     int d = p->when->dimension;
     LOCAL_VEC(fmpz, form, 2 * (d + 1));
+    LOCAL_VEC(fmpz, at, 10);
     fmpz *plane = form + d + 1;
     (void)solid_plane(plane, g->scene->solid, p->simplex);
     instant_pullback(form, p->when, plane, k);
+    scaled_corners(at, g->scene->solid, p->simplex, 7);
     for (int c = 0; c < d; c++) {
-        vector_dot_integers(out + c, form, simplex_corner(g, p->simplex, c), d);
-        fmpq_add_fmpz(out + c, out + c, form + d);
+        _fmpz_vec_dot(out + c, form, at + c * d, d);
+        fmpz_addmul(out + c, form + d, at + d * d);
     }
 }
 
@@ -91,51 +100,43 @@ static slong draw_place(random_stream *r) {
 /* Draw a point strictly inside the simplex where the affine function with these corner values
  * vanishes: in E^3 between two zeros on its sides, at a random place. */
 static int draw_on_line(touchpoint *p, const struct graze_generator *g, random_stream *r,
-                        const fmpq *value) {
+                        const fmpz *value) {
     int d = p->when->dimension, found = 0;
-    LOCAL_VEC(fmpq, end, 6);
-    LOCAL_VEC(fmpq, weight, 3);
-    LOCAL(fmpq, span);
+    LOCAL_VEC(fmpz, end, 8); /* the weights of the zeros, and behind them their sums */
     for (int k = 0; k < (d == 2 ? 1 : 3) && found < 2; k++) {
         int next = (k + 1) % d;
-        if (fmpq_sgn(value + k) * fmpq_sgn(value + next) >= 0)
+        if (fmpz_sgn(value + k) * fmpz_sgn(value + next) >= 0)
             continue;
-        fmpq_sub(span, value + k, value + next);
-        fmpq_div(end + 3 * found + next, value + k, span);
-        fmpq_neg(span, span);
-        fmpq_div(end + 3 * found + k, value + next, span);
-        found++;
+        fmpz *at = end + 4 * found++;
+        fmpz_abs(at + k, value + next);
+        fmpz_abs(at + next, value + k);
+        fmpz_add(at + 3, at + k, at + next);
     }
     int enough = found == d - 1;
     slong a = draw_place(r);
-    for (int k = 0; k < d && enough; k++) {
-        fmpq_set_si(span, d == 2 ? PARTS : a, PARTS);
-        fmpq_mul(weight + k, end + k, span);
-        fmpq_set_si(span, d == 2 ? 0 : PARTS - a, PARTS);
-        fmpq_addmul(weight + k, end + 3 + k, span);
+    if (enough && d == 3) {
+        _fmpz_vec_scalar_mul_fmpz(end, end, 3, end + 7);
+        _fmpz_vec_scalar_mul_si(end, end, 3, a);
+        fmpz_mul_si(end + 3, end + 3, PARTS - a);
+        _fmpz_vec_scalar_addmul_fmpz(end, end + 4, 3, end + 3);
     }
     if (enough)
-        combine(p->y, g, p->simplex, weight);
+        combine(p, g, end);
     p->zero = 0;
     return enough;
 }
 
 /* Find the point where two affine functions vanish; returns 0 unless it lies strictly inside the
  * triangle. Its weights are the cross product of the functions' corner values. */
-static int draw_on_point(touchpoint *p, const struct graze_generator *g, const fmpq *f,
-                         const fmpq *h) {
-    LOCAL_VEC(fmpq, weight, 3);
-    LOCAL(fmpq, total);
-    vector_cross(weight, f, h);
+static int draw_on_point(touchpoint *p, const struct graze_generator *g, const fmpz *f,
+                         const fmpz *h) {
+    LOCAL_VEC(fmpz, weight, 3);
+    integers_cross(weight, f, h);
     int inside = 1;
-    for (int k = 0; k < 3; k++) {
-        fmpq_add(total, total, weight + k);
-        inside &= fmpq_sgn(weight) * fmpq_sgn(weight + k) > 0;
-    }
-    for (int k = 0; k < 3 && inside; k++)
-        fmpq_div(weight + k, weight + k, total);
+    for (int k = 0; k < 3; k++)
+        inside &= fmpz_sgn(weight) * fmpz_sgn(weight + k) > 0;
     if (inside)
-        combine(p->y, g, p->simplex, weight);
+        combine(p, g, weight);
     p->zero = 0;
     return inside;
 }
@@ -178,8 +179,8 @@ static int draw_tangent(touchpoint *p, const struct graze_generator *g, random_s
             (void)draw_place(r);
         return 0;
     }
-    LOCAL_VEC(fmpq, velocity, 3);
-    LOCAL_VEC(fmpq, bend, 3);
+    LOCAL_VEC(fmpz, velocity, 3);
+    LOCAL_VEC(fmpz, bend, 3);
     corner_pullbacks(velocity, p, g, 1);
     if (at_point) {
         corner_pullbacks(bend, p, g, 2);
@@ -223,14 +224,21 @@ static int draw_contact(touchpoint *p, const struct graze_generator *g, graze_st
 
 int straight_contact(sample *out, fmpq *normal, const struct graze_generator *g,
                      graze_stratum stratum, random_stream *r) {
-    LOCAL_VEC(fmpq, y, 3);
+    LOCAL_VEC(fmpz, y, 4);
     LOCAL_VEC(fmpz, plane, 4);
     touchpoint p = {.y = y};
+    /* Moved by a power of 2 along one axis, a contact that is not dyadic stays so. Contacts of
+     * `face` may have an order that is not taken, which is found first. */
+    int dyadic =
+        g->representable && out->made.stratum != GRAZE_STRATUM_ROUNDED &&
+        (!normal || (out->made.stratum == GRAZE_STRATUM_MISS && stratum != GRAZE_STRATUM_FACE));
     int made = draw_contact(&p, g, stratum, r);
+    if (made && !sample_place(out, p.when, y, dyadic)) {
+        made = 0;
+        if (normal) /* the side to which it would be displaced */
+            (void)random_below(r, 2);
+    }
     if (made) {
-        affine_image(out->point, p.when->map, p.y, p.when->dimension);
-        if (!normal && out->made.stratum != GRAZE_STRATUM_ROUNDED && !sample_is_kept(out, g))
-            return 0;
         out->made.order = order_at(g, &p, out->point);
         size_t names;
         graze_cell cell = solid_cell(g->scene->solid, p.simplex, p.zero);

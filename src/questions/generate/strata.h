@@ -61,8 +61,12 @@ int order_of_root(fmpz_poly_t f, const fmpq_t u);
 /** Does a contact of this order belong to the stratum? */
 int stratum_takes_order(graze_stratum stratum, int order);
 
+/** Set the point P = M(u) y of a body point, d + 1 homogeneous integers; 0, as soon as a coordinate
+ * shows it, if the coordinates must be dyadic and are not. */
+int sample_place(sample *out, const instant *when, const fmpz *y, int dyadic);
+
 /** 0 if the generator makes only points whose coordinates are doubles and this point is not one. */
-int sample_is_kept(const sample *s, const struct graze_generator *g);
+int sample_is_kept(sample *s, const struct graze_generator *g);
 
 /* Query points of one stratum. */
 
