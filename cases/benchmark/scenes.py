@@ -415,8 +415,10 @@ class Graze:
 
 
 def write(path, text):
-    with open(path, "w", encoding="ascii", newline="\n") as file:
+    """Whole, or not at all: a run may be ended here, and scene.json tells the next one that a scene is made."""
+    with open(path + ".part", "w", encoding="ascii", newline="\n") as file:
         file.write(text)
+    os.replace(path + ".part", path)
 
 
 def diagonal(vertices):

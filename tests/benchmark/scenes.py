@@ -18,6 +18,7 @@ import os
 import re
 import sys
 import tempfile
+import unittest.mock
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
@@ -207,6 +208,18 @@ def check_usage(graze, out):
     checks.equal(listed, [[name, family] for name, (family, *_) in scenes.SCENES.items()], "--list")
 
 
+def check_whole(path):
+    """A run that ends before a file has its name leaves the one before."""
+    scenes.write(path, "old")
+    with unittest.mock.patch("os.replace", side_effect=KeyboardInterrupt):
+        try:
+            scenes.write(path, "new")
+        except KeyboardInterrupt:
+            pass
+    with open(path, encoding="ascii") as file:
+        checks.equal(file.read(), "old", "a file is written whole, or not at all")
+
+
 def main():
     args = options(__doc__)
     check_families()
@@ -218,6 +231,7 @@ def main():
         for name in names:
             check_scene(args.graze, first, name)
         check_words(first)
+        check_whole(os.path.join(folder, "scene.json"))
         check_usage(args.graze, os.path.join(folder, "none"))
     checks.finish()
 
