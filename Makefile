@@ -84,7 +84,7 @@ help:
 	@echo "make            build the program and both libraries under build/"
 	@echo "make demo       install what is missing, build, classify the points of cases/bracket"
 	@echo "make try        suites of the rooms that have changed since @{upstream} or SINCE=REV (seconds to a minute)"
-	@echo "make test       install what is missing, build, run what is derived and a quarter of the random tests (6 minutes on two idle cores)"
+	@echo "make test       install what is missing, build, run what is derived and a quarter of the random tests (4 minutes on two idle cores)"
 	@echo "make cases      check every case under cases/ and recompute it with PARI"
 	@echo "make test-long  all in full and more random inputs than CI asks, of SEED=n or the day's, before a release (hours)"
 	@echo "make fuzz       every fuzz target for SECONDS=60 (FUZZ_ONLY=\"NAME ...\": some of them)"
