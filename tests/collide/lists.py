@@ -184,9 +184,13 @@ def check_bytes(checks, graze, folder):
 def check_outputs(checks, graze, folder):
     """A file that a row names, directly or by a link, is not written."""
     os.symlink("one.off", folder / "solids" / "same.off")
-    for words in (("-o", "go.json"), ("--resume", "solids/aside.off"), ("-o", "solids/same.off")):
+    put(folder / "short.csv", ROWS[:1])
+    with open(folder / "short.csv", "a", encoding="utf-8") as file:
+        file.write("too short\ntoo short\n")
+    for name, *words in (("long.csv", "-o", "go.json"), ("long.csv", "--resume", "solids/aside.off"), ("long.csv", "-o", "solids/same.off"),
+                         ("short.csv", "-o", "go.json")):
         kept = (folder / words[1]).read_bytes()
-        done = ask(graze, folder, "long.csv", *words)
+        done = ask(graze, folder, name, *words)
         checks.equal((done.returncode, (folder / words[1]).read_bytes()), (2, kept), words, done.stderr)
         checks.holds("which is read; expected another file" in done.stderr, words, done.stderr)
     (folder / "solids" / "same.off").unlink()

@@ -89,7 +89,7 @@ algebraic *algebraic_list_append(algebraic_list *list) {
     return &list->item[list->count++];
 }
 
-void slope_product(fmpz_poly_t out, const fmpz_poly_t x, const fmpz_poly_t y) {
+void wronskian(fmpz_poly_t out, const fmpz_poly_t x, const fmpz_poly_t y) {
     LOCAL(fmpz_poly, slope);
     LOCAL(fmpz_poly, product);
     fmpz_poly_derivative(slope, x);

@@ -92,8 +92,8 @@ graze_status algebraic_may_narrow(graze_context *context, const dyadic_interval 
  * @param[in,out] gain as for algebraic_refine_quadratically */
 graze_status algebraic_narrow(graze_context *context, algebraic *x, int step, ulong *gain);
 
-/** out = x y' - x' y. */
-void slope_product(fmpz_poly_t out, const fmpz_poly_t x, const fmpz_poly_t y);
+/** The Wronskian x y' - x' y. */
+void wronskian(fmpz_poly_t out, const fmpz_poly_t x, const fmpz_poly_t y);
 
 /* Signs and order. */
 

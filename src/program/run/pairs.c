@@ -196,9 +196,10 @@ int pair_files_add(pair_files *p, const answer_task *task, block *b) {
         return complain(EXIT_IO, "out of memory");
     a->task = *task;
     a->reader.context = p->context;
-    int status = add_file(p, task->pairs->pairs.motion_of_fixed);
-    for (size_t row = 0; !status && row < b->count; row++) {
-        int whole = columns_row(NULL, &f, task->source.columns, &a->reader, b, row) == EXIT_DONE;
+    int whole = 1, status = add_file(p, task->pairs->pairs.motion_of_fixed);
+    /* The run ends at a row that is not whole. */
+    for (size_t row = 0; !status && whole && row < b->count; row++) {
+        whole = columns_row(NULL, &f, task->source.columns, &a->reader, b, row) == EXIT_DONE;
         for (int k = 0; whole && !status && k < PAIR_FILES; k++) {
             path.length = 0;
             put_path(&path, a, k);
@@ -231,10 +232,12 @@ int pair_files_check(const classify_options *o, graze_context *context) {
         csv_expect_pairs(list);
         task.source.columns = &list->columns;
         guard_add(&g, GUARD_WRITTEN, option, path, "");
-        do
+        for (int ended = 0; !status && !ended;) { /* also at a fault of the list, told later */
             block_reset(b, 0);
-        while (!csv_fill(list, b, BLOCK_ROWS) && b->count && !pair_files_add(&files, &task, b));
-        status = guard_check(&g);
+            ended = csv_fill(list, b, BLOCK_ROWS) || b->count == 0;
+            status = pair_files_add(&files, &task, b);
+        }
+        status = status ? status : guard_check(&g);
     }
     csv_close(list);
     block_destroy(b);

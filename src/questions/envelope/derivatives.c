@@ -19,7 +19,7 @@ static void set_velocity(derivatives *f, const motion_piece *piece) {
     LOCAL(fmpz_poly, rate);
     for (int j = 0; j < d; j++)
         for (int c = 0; c < columns; c++) {
-            slope_product(rate, &to->entry[j * columns + c], to->weight);
+            wronskian(rate, &to->entry[j * columns + c], to->weight);
             for (int i = 0; i < d; i++)
                 add_field_product(&f->entry[0][i * columns + c], &back->entry[i * columns + j],
                                   rate);

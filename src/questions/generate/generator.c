@@ -94,8 +94,10 @@ int sample_place(sample *out, const instant *when, const fmpz *y, int dyadic) {
     fmpz_tdiv_q_2exp(odd, common, fmpz_val2(common));
     for (int i = 0; i < d; i++) {
         _fmpz_vec_dot(value, when->map + i * (d + 1), y, d + 1);
-        if (dyadic && !fmpz_divisible(value, odd))
-            return out->unkept = 1, 0;
+        if (dyadic && !fmpz_divisible(value, odd)) {
+            out->unkept = 1;
+            return 0;
+        }
         fmpq_set_fmpz_frac(out->point + i, value, common);
     }
     return 1;
@@ -103,7 +105,9 @@ int sample_place(sample *out, const instant *when, const fmpz *y, int dyadic) {
 
 int sample_is_kept(sample *s, const struct graze_generator *g) {
     for (int i = 0; g->representable && i < g->scene->motion->dimension; i++)
-        if (!is_double(s->point + i))
-            return s->unkept = 1, 0;
+        if (!is_double(s->point + i)) {
+            s->unkept = 1;
+            return 0;
+        }
     return 1;
 }

@@ -50,7 +50,7 @@ static void set_places(moving_edge *e, const point_map *map, const fmpq *a, cons
 static void set_across(moving_edge *e) {
     LOCAL_VEC(fmpz_poly, d, 2);
     for (int i = 0; i < 2; i++)
-        slope_product(d + i, e->weight, &e->start[i]);
+        wronskian(d + i, e->weight, &e->start[i]);
     cross_polynomials(e->across, e->along, d);
     for (int i = 0; i < 2; i++)
         fmpz_poly_derivative(d + i, &e->along[i]);

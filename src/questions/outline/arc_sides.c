@@ -111,7 +111,7 @@ static void set_axis(prober *p) {
     LOCAL_VEC(fmpq, v, 2);
     LOCAL(fmpz_poly, speed);
     for (int i = 0; i < 2; i++) {
-        slope_product(speed, &c->x[2], &c->x[i]);
+        wronskian(speed, &c->x[2], &c->x[i]);
         fmpz_poly_evaluate_fmpq(v + i, speed, p->s->value);
     }
     int sign[2] = {fmpq_sgn(v), fmpq_sgn(v + 1)};

@@ -27,7 +27,7 @@ static graze_status mark_folds(graze_context *context, outline_curve *c) {
         return GRAZE_OK;
     LOCAL_VEC(fmpz_poly, v, 2);
     for (int i = 0; i < 2; i++)
-        slope_product(v + i, &c->x[2], &c->x[i]);
+        wronskian(v + i, &c->x[2], &c->x[i]);
     fmpz_poly_gcd(v, v, v + 1);
     return roots_about(&c->mark, context, v, &c->from, &c->to);
 }

@@ -83,7 +83,7 @@ static void set_exact_area(outline_measure *m, const outline_curve *c, algebraic
     }
     LOCAL(fmpz_poly, w);
     LOCAL(fmpq_poly, sum);
-    slope_product(w, &c->x[0], &c->x[1]);
+    wronskian(w, &c->x[0], &c->x[1]);
     fmpq_poly_set_fmpz_poly(sum, w);
     fmpq_poly_integral(sum, sum);
     for (int k = 0; k < 2; k++)
@@ -124,14 +124,14 @@ static graze_status measure_curved(bracket *area, bracket *length, const measure
                                    const outline_curve *c, algebraic **end) {
     ZEROED(integrand, f);
     LOCAL(fmpz_poly, speed);
-    slope_product(f.num, &c->x[0], &c->x[1]);
+    wronskian(f.num, &c->x[0], &c->x[1]);
     fmpz_poly_mul(f.den, &c->x[2], &c->x[2]);
     fmpz_poly_scalar_mul_2exp(f.den, f.den, 1);
     TRY(integral_between(area, m->context, &f, end[0], end[1], m->places, m->bits));
     f.root = 1;
     fmpz_poly_zero(f.num);
     for (int i = 0; i < 2; i++) {
-        slope_product(speed, &c->x[i], &c->x[2]);
+        wronskian(speed, &c->x[i], &c->x[2]);
         fmpz_poly_mul(speed, speed, speed);
         fmpz_poly_add(f.num, f.num, speed);
     }
