@@ -88,6 +88,7 @@ def long(options):
         Stage("1,000 distances to Minkowski sums", suite("distance/cgal", "--scale", "4", *seed), True),
         Stage("1,000 pairs at a clearance", suite("collide/distances", "--scale", "17", *seed), True),
         Stage("2,000 round pairs and traces", suite("collide/round", "--scale", "25", *seed), True),
+        Stage("distances of FCL and Bullet at 1,000 times", ["python3", "cases/candidates/distances.py", "--graze", "build/graze"], True),
         Stage("forged certificates of all cases", script("check/forged.py", "--scale", "2"), True),
         Stage("packages of Python", script("python/packages.py"), True),
         Stage("tests in Catch2, doctest, GoogleTest", script("adapters/adapters.py", "--all"), True),

@@ -6,12 +6,15 @@
  * vertices without a margin, `box` their box as btBoxShape with Bullet's own margin. With RADIUS,
  * MOVING is an OFF of one vertex or two, of a ball or of a capsule about them. Answers one line
  * `key=value ...` when both are loaded, then one for each line of standard input:
- *   advance N MOTION   N parts of the motion, each given by its end poses
+ *   advance N MOTION    N parts of the motion, each given by its end poses
+ *   distance N MOTION   the least distance at N evenly spread times, as `distance`, by GJK
  * as fcl.cpp does. A motion is rigid and starts and ends within doubles.
  *
  *   c++ -std=c++17 -O2 $(pkg-config --cflags bullet-float64) bullet.cpp scene.o motion.o
  *       -lBulletCollision-float64 -lLinearMath-float64 -lyajl -lm
  */
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -25,6 +28,8 @@ extern "C" {
 }
 #include <BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
+#include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 #include <btBulletCollisionCommon.h>
 
@@ -113,6 +118,23 @@ static double advance(const body &a, const body &b, const std::vector<btTransfor
     return -1;
 }
 
+static double nearest(const body &a, const body &b, const std::vector<btTransform> &poses) {
+    double least = HUGE_VAL;
+    for (const btTransform &pose : poses) {
+        btVoronoiSimplexSolver simplex;
+        btGjkEpaPenetrationDepthSolver depth;
+        btGjkPairDetector test(a.shape.get(), b.shape.get(), &simplex, &depth);
+        btGjkPairDetector::ClosestPointInput input;
+        btPointCollector found;
+        input.m_transformA = pose * a.place;
+        input.m_transformB = b.place;
+        test.getClosestPoints(input, found, nullptr);
+        if (found.m_hasResult)
+            least = std::min(least, double(found.m_distance));
+    }
+    return least;
+}
+
 int main(int argc, char **argv) {
     if ((argc != 4 && argc != 5) ||
         (std::strcmp(argv[1], "hull") != 0 && std::strcmp(argv[1], "box") != 0))
@@ -129,15 +151,23 @@ int main(int argc, char **argv) {
     }
     std::printf("loaded=%.9f\n", seconds() - start);
     std::fflush(stdout);
-    char line[4096], motion[4000];
+    char line[4096], motion[4000], method[16];
     int n;
     while (std::fgets(line, sizeof line, stdin)) {
         scene &s = solids[0];
-        if (std::sscanf(line, "advance %d %3999s", &n, motion) != 2 || n < 1 || n > 1000000)
-            refuse("expected advance N MOTION, N at least 1");
+        if (std::sscanf(line, "%15s %d %3999s", method, &n, motion) != 3 || n < 1 || n > 1000000 ||
+            (std::strcmp(method, "advance") != 0 && std::strcmp(method, "distance") != 0))
+            refuse("expected advance N MOTION or distance N MOTION, N at least 1");
         scene_read_motion(&s, motion);
-        std::vector<btTransform> poses = poses_of(s, n);
+        bool measures = *method == 'd';
+        std::vector<btTransform> poses = poses_of(s, measures ? std::max(n - 1, 1) : n);
         start = seconds();
+        if (measures) {
+            double least = nearest(bodies[0], bodies[1], poses);
+            std::printf("distance=%.17g seconds=%.9f\n", least, seconds() - start);
+            std::fflush(stdout);
+            continue;
+        }
         double share = advance(bodies[0], bodies[1], poses), spent = seconds() - start;
         double from = s.piece[0].from, to = s.piece[s.pieces - 1].to;
         std::printf("hit=%d t=%.17g seconds=%.9f\n", share >= 0,
