@@ -431,7 +431,7 @@ $B/graze-check-coq:
 	@cd $B/checker && ocamlfind ocamlopt -package zarith,unix -linkpkg $(CHECKER_ML) -o graze-check-coq
 	@mv $B/checker/graze-check-coq $@
 
-# Every target in turn for SECONDS; an input that breaks one is kept in $(FUZZ_BUILD)/found. With FUZZ_PLAIN=1 without
+# Every target for SECONDS, one a core at a time; an input that breaks one is kept in $(FUZZ_BUILD)/found. With FUZZ_PLAIN=1 without
 # sanitizers, five to ten times as fast, for many executions.
 SECONDS ?= 60
 FUZZ_BUILD := build-fuzz$(if $(FUZZ_PLAIN),-plain)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Run the fuzz targets in turn (make fuzz), and say what came of each.
+"""Run the fuzz targets, one a core at a time (make fuzz), and say what came of each.
 
 What a run learns is kept in FOLDER/corpus/TARGET (build-fuzz) and used again by the next one, which begins with that
 and the seeds of tests/fuzz/corpus. What breaks a target is written to FOLDER/found, the log is added to
@@ -13,6 +13,7 @@ something was broken.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import argparse
+import concurrent.futures
 import hashlib
 import os
 import re
@@ -158,9 +159,10 @@ def main():
         for target in chosen:
             keep(target, builds)
         return
-    broken = [target for target in chosen if not fuzz(target, builds[0], options)]
-    print(f"{len(chosen) - len(broken)} passed, {len(broken)} failed")
-    sys.exit(1 if broken else 0)
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        stood = list(pool.map(lambda target: fuzz(target, builds[0], options), chosen))
+    print(f"{sum(stood)} passed, {len(stood) - sum(stood)} failed")
+    sys.exit(0 if all(stood) else 1)
 
 
 if __name__ == "__main__":
