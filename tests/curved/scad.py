@@ -62,6 +62,10 @@ def prism(height, *nodes, center="false"):
               arguments=f"height = {height}, center = {center}, convexity = 1, scale = [1, 1], $fn = 0, $fa = 12, $fs = 2")
 
 
+def raised(more, *nodes):
+    return of("linear_extrude", *nodes, arguments=more + ", convexity = 1, $fn = 0, $fa = 12, $fs = 2")
+
+
 def turned(*nodes):
     return of("rotate_extrude", *nodes, arguments="angle = 360, convexity = 2, $fn = 0, $fa = 12, $fs = 2")
 
@@ -197,6 +201,38 @@ SCENES = [
      ("t", "3/2", "1"), "OBIBO", [-1, [-7, -4, 4]]),
     ("offset that is extruded, inwards", prism(2, of("offset", square(4, 4), arguments="r = -1")), ("2", "2", "t"), "OBIBO", [0, 2]),
     ("hull of disks that is extruded", prism(2, of("hull", circle(1), moved(4, 0, 0, circle(1)))), ("2", "t", "1"), "OBIBO", [-1, 1]),
+    # A top that is scaled by s over height h: at height z all is scaled by 1 + (s - 1) z / h about the origin.
+    ("pyramid", raised("height = 4, scale = [0, 0]", square(4, 4, center="true")), ("t", "0", "2"), "OBIBO", [-1, 1]),
+    ("pyramid, its apex", raised("height = 4, scale = 0", square(4, 4, center="true")), ("t", "0", "4"), "OBO", [0]),
+    ("scaled beside the axis", raised("height = 2, scale = 2", moved(2, 0, 0, square(2, 2))), ("t", "1", "1"), "OBIBO", [3, 6]),
+    ("scaled, in the middle", raised("height = 2, center = true, scale = [2, 2]", moved(2, 0, 0, square(2, 2))), ("t", "1", "0"), "OBIBO",
+     [3, 6]),
+    ("scaled and turned", raised("height = 2, scale = 2", mapped(QUARTER, moved(2, 0, 0, square(2, 2)))), ("t", "4", "1"), "OBIBO", [-3, 0]),
+    ("scaled polygon with a hole", raised("height = 2, scale = 0.5", PLATE), ("t", "9/8", "1"), "OBIBOBIBO", [0, F(9, 8), F(3, 2), 3]),
+    ("scaled difference", raised("height = 2, scale = 0.5", of("difference", square(4, 4), moved(1, 1, 0, square(2, 2)))), ("t", "3/2", "1"),
+     "OBIBOBIBO", [0, F(3, 4), F(9, 4), 3]),
+    ("two scales", raised("height = 2, scale = [2, 0]", moved(1, 1, 0, square(2, 2))), ("t", "1", "1"), "OBIBO", [F(3, 2), F(9, 2)]),
+    ("two scales, upwards", raised("height = 2, scale = [2, 0]", moved(1, 1, 0, square(2, 2))), ("2", "1", "t"), "OBIBO", [0, F(4, 3)]),
+    # About (3, 0) with radius 3/2 at height 1; at y = 9/10 within 6/5.
+    ("scaled disk", raised("height = 2, scale = 0.5", moved(4, 0, 0, circle(2))), ("t", "9/10", "1"), "OBIBO", [F(9, 5), F(21, 5)]),
+    ("along v", raised("height = 5, v = [0.6, 0, 0.8]", square(2, 2)), ("t", "1", "2"), "OBIBO", [F(3, 2), F(7, 2)]),
+    ("along v, a disk", raised("height = 5, v = [0.6, 0, 0.8]", circle(2)), ("t", "0", "2"), "OBIBO", [F(-1, 2), F(7, 2)]),
+    # From z = -2 to 2; at 1 scaled by 1 + 2 * 3/4, moved by 3/4.
+    ("along v and scaled", raised("height = 5, v = [0.6, 0, 0.8], center = true, scale = 3", square(2, 2, center="true")), ("t", "0", "1"),
+     "OBIBO", [F(-7, 4), F(13, 4)]),
+    ("delta", of("offset", square(4, 4), arguments="delta = 1, chamfer = false"), ("t", "-9/10"), "OBIBO", [-1, 5]),
+    # The long edge, 3 x + 4 y <= 12, becomes 3 x + 4 y <= 17.
+    ("delta of a triangle", of("offset", "polygon(points = [[0, 0], [0, 3], [4, 0]]);", arguments="delta = 1"), ("t", "-1/2"), "OBIBO",
+     [-1, F(19, 3)]),
+    ("delta inwards, a notch", of("offset", ANGLE, arguments="delta = -0.5"), ("t", "17/10"), "OBIBO", [F(1, 2), F(3, 2)]),
+    ("delta outwards, a notch", of("offset", ANGLE, arguments="delta = 0.5"), ("t", "12/5"), "OBIBO", [F(-1, 2), F(13, 2)]),
+    ("delta of a frame", of("offset", of("difference", square(10, 10), moved(2, 2, 0, square(6, 6))), arguments="delta = 1"), ("t", "16/5"),
+     "OBIBOBIBO", [-1, 3, 7, 11]),
+    ("delta of a frame, inwards", of("offset", of("difference", square(10, 10), moved(2, 2, 0, square(6, 6))), arguments="delta = -0.5"),
+     ("t", "5"), "OBIBOBIBO", [F(1, 2), F(3, 2), F(17, 2), F(19, 2)]),
+    ("delta of a disk", of("offset", circle(4), arguments="delta = -1"), ("t", "0"), "OBIBO", [-3, 3]),
+    ("delta that is scaled", raised("height = 2, scale = 0.5", of("offset", square(4, 4, center="true"), arguments="delta = 1")),
+     ("t", "2", "1"), "OBIBO", [F(-9, 4), F(9, 4)]),
     ("exponents", "sphere(r = 1e-2);", ("t", "0", "0"), "OBIBO", [F(-1, 100), F(1, 100)]),
 ]
 # OpenSCAD's text of a solid and its nodes of .csg.json: equal at points of a lattice, which meets the surfaces, and at random fractions.
@@ -367,6 +403,20 @@ def check_near_angle(bench):
     bench.checks.equal(bench.convert(text).returncode, 3, "without the option")
 
 
+def check_near_delta(bench):
+    """The long edge of a triangle, x + y <= 2, becomes x + y <= 2 + sqrt 2, and meets y = -1 at x = 3 + sqrt 2."""
+    text = of("offset", "polygon(points = [[0, 0], [2, 0], [0, 2]]);", arguments="delta = 1")
+    done = bench.convert(text, "--near-rotation", "1e-6")
+    if not bench.checks.equal(done.returncode, 0, "delta", done.stderr):
+        return
+    parts = [[[F(x) for x in p] for p in part["polygon"]["points"]] for part in json.loads(done.stdout)["solid"]["union"]]
+    corner = {x for part in parts for x, y in part if y == -1 and x > 3}
+    told = re.search(r"maps taken as rotations: 1; no point moves by more than (\S+)", done.stderr)
+    bench.checks.holds(told and 0 < F(told[1]) < F(1, 2 ** 50), "displacement", done.stderr)
+    bench.checks.holds(len(corner) == 1 and all(abs((x - 3) ** 2 - 2) < 3 * F(told[1]) for x in corner), "where edges meet", corner)
+    bench.checks.equal(bench.convert(text).returncode, 3, "without the option")
+
+
 def check_near_chain(bench):
     """An outer map enlarges the displacement of an inner one; revolved and flat nodes have their maps turned too."""
     third = NEAR[0][0]
@@ -394,6 +444,7 @@ def main():
             check_near(bench)
             check_near_chain(bench)
             check_near_angle(bench)
+            check_near_delta(bench)
     check_twins(graze, checks, args)
     checks.finish()
 

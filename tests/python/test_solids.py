@@ -45,7 +45,7 @@ class Solids(unittest.TestCase):
             "torus": S.torus("3/4", F(1, 4)), "capsule": S.capsule(0.5, (0, 0, 1), (0, 0.5, 0)),
             "quadric": S.quadric({(2, 0, 0): 1, (0, 2, 0): 1, (0, 0, 2): 4, (0, 0, 0): -1}),
             "polynomial": S.polynomial({(4, 0, 0): 1, (0, 1, 0): 1, (0, 0, 2): 1, (0, 0, 0): -1}),
-            "polygon": S.polygon([(0, 0), (2, 0), (1, 1)], extrude=(0, 1)),
+            "polygon": S.polygon([(0, 0), (2, 0), (1, 1)], extrude=(0, 1), scale=(2, 2)),
             "revolved": S.polygon([(0, 0), (1, 0), ("1/2", 1)], revolve=True),
             "polyhedron": S.polyhedron([(-1, 0, -1), (1, 0, -1), (0, 1, 0), (0, 0, 1)], [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)])}
         for name, solid in one.items():

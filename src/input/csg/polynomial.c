@@ -6,7 +6,8 @@
  * between the vertical lines through its ends. Where such a line is no boundary of the polygon, its
  * sign does not change the parity. For a revolved polygon the ray goes from the point away from the
  * axis, and the strip of an edge is the part of a cone or a cylinder inside the edge, between the
- * planes through its ends.
+ * planes through its ends. A polygon that is scaled as it is extruded has coordinates, and so
+ * strips, that are linear in the height.
  */
 #include "input/csg/csg_reader.h"
 
@@ -69,31 +70,49 @@ graze_status csg_read_polynomial(size_t *node, csg_reader *r, const json *value)
 typedef struct polygon_edges {
     size_t *node, count, capacity;
     int revolved; /* about the z axis: a point is its distance from the axis and its height */
+    int slanted;  /* 1: an edge is along no axis */
     csg_box box;
+    fmpq *scale, *growth; /* 2 each: at height z coordinate i is times scale[i] + growth[i] z */
 } polygon_edges;
 
 static void polygon_edges_init(polygon_edges *e) {
-    *e = (polygon_edges){.node = NULL};
+    *e = (polygon_edges){.scale = _fmpq_vec_init(4)};
+    e->growth = e->scale + 2;
+    for (int i = 0; i < 2; i++)
+        fmpq_one(e->scale + i);
     csg_box_init(&e->box);
 }
 
 static void polygon_edges_clear(polygon_edges *e) {
     free(e->node);
+    _fmpq_vec_clear(e->scale, 4);
     csg_box_clear(&e->box);
+}
+
+/* Set r->f to n[0] x + n[1] y - c, where the number c is scaled with coordinate i. */
+static void set_scaled_form(const polygon_edges *e, csg_reader *r, fmpq *n, const fmpq *c, int i) {
+    LOCAL(fmpq, constant);
+    fmpq_mul(constant, c, e->scale + i);
+    if (!e->revolved) {
+        fmpq_mul(n + 2, c, e->growth + i);
+        fmpq_neg(n + 2, n + 2);
+    }
+    csg_linear_form(r->f, r, n, r->coordinate, constant);
 }
 
 /* Add the strip of the edge from p to q: the set r->f <= 0 between the lines, or planes, through p
  * and q, whose coordinates `along` differ. */
 static graze_status add_strip(polygon_edges *e, csg_reader *r, const fmpq *p, const fmpq *q,
                               int along) {
-    const fmpq_mpoly_struct *x = &r->coordinate[e->revolved ? 2 : 0];
     const fmpq *end[2] = {p + along, q + along};
     size_t part[3];
+    LOCAL_VEC(fmpq, n, 3);
+    fmpq_one(n + (e->revolved ? 2 : 0));
     TRY(array_grow(r->context, &e->node, &e->capacity, e->count + 1, sizeof *e->node,
                    "the edges of a polygon"));
     TRY(csg_add_side(&part[0], r, 0));
     for (int k = 0; k < 2; k++) {
-        fmpq_mpoly_sub_fmpq(r->f, x, end[fmpq_cmp(end[0], end[1]) < 0 ? k : 1 - k], r->ring);
+        set_scaled_form(e, r, n, end[fmpq_cmp(end[0], end[1]) < 0 ? k : 1 - k], 0);
         TRY(csg_add_side(&part[1 + k], r, k == 0));
     }
     return csg_add_node(&e->node[e->count++], r, CSG_ALL, part, 3);
@@ -109,7 +128,8 @@ static graze_status add_edge(polygon_edges *e, csg_reader *r, const fmpq *p, con
     fmpq_sub(n + 1, left, right);
     fmpq_mul(n + 3, n, left);
     fmpq_addmul(n + 3, n + 1, left + 1);
-    csg_linear_form(r->f, r, n, r->coordinate, n + 3);
+    e->slanted |= !fmpq_is_zero(n);
+    set_scaled_form(e, r, n, n + 3, fmpq_is_zero(n));
     return add_strip(e, r, p, q, 0);
 }
 
@@ -177,29 +197,62 @@ static graze_status read_polygon_ring(polygon_edges *e, csg_reader *r, const jso
     return add(e, r, last, first);
 }
 
-/* Replace the node of a polygon by its prism between two heights. */
-static graze_status extrude(size_t *node, polygon_edges *e, csg_reader *r, const json *value) {
-    size_t part[3] = {*node, 0, 0};
-    LOCAL_VEC(fmpq, height, 2);
-    TRY(csg_read_vector(height, r, value, 2));
-    if (fmpq_cmp(height, height + 1) >= 0)
-        return json_fail(r->context, GRAZE_EILLEGAL, value,
+/* Read the heights of a prism, and the factors of a polygon's coordinates at the second one. */
+static graze_status read_heights(polygon_edges *e, csg_reader *r, const json *heights,
+                                 const json *scale) {
+    LOCAL_VEC(fmpq, v, 4);
+    fmpq *low = v, *high = v + 1, *factor = v + 2;
+    TRY(csg_read_vector(low, r, heights, 2));
+    if (fmpq_cmp(low, high) >= 0)
+        return json_fail(r->context, GRAZE_EILLEGAL, heights,
                          "expected a second height above the first");
+    fmpq_set(&e->box.low[2], low);
+    fmpq_set(&e->box.high[2], high);
+    if (!scale)
+        return GRAZE_OK;
+    TRY(csg_read_vector(factor, r, scale, 2));
+    if (fmpq_sgn(factor) < 0 || fmpq_sgn(factor + 1) < 0)
+        return json_fail(r->context, GRAZE_EILLEGAL, scale,
+                         "expected factors that are not negative");
+    fmpq_sub(high, high, low);
+    for (int i = 0; i < 2; i++) {
+        fmpq_sub_si(e->growth + i, factor + i, 1);
+        fmpq_div(e->growth + i, e->growth + i, high);
+        fmpq_submul(e->scale + i, e->growth + i, low);
+    }
+    return GRAZE_OK;
+}
+
+/* Replace the node of a polygon by its prism, and scale its box. */
+static graze_status extrude(size_t *node, polygon_edges *e, csg_reader *r, const json *scale) {
+    size_t part[3] = {*node, 0, 0};
+    LOCAL_VEC(fmpq, v, 2);
+    if (e->slanted && !fmpq_equal(e->growth, e->growth + 1))
+        return json_fail(r->context, GRAZE_EILLEGAL, scale,
+                         "expected equal factors, as an edge is along no axis");
     for (int k = 0; k < 2; k++) {
-        fmpq_mpoly_sub_fmpq(r->f, &r->coordinate[2], height + k, r->ring);
+        const fmpq *height = k ? &e->box.high[2] : &e->box.low[2];
+        fmpq_mpoly_sub_fmpq(r->f, &r->coordinate[2], height, r->ring);
         TRY(csg_add_side(&part[1 + k], r, k == 0));
     }
-    fmpq_swap(&e->box.low[2], height);
-    fmpq_swap(&e->box.high[2], height + 1);
+    for (int i = 0; i < 2; i++) {
+        fmpq_set(v + 1, e->scale + i);
+        fmpq_addmul(v + 1, e->growth + i, &e->box.high[2]);
+        fmpq_mul(v, v + 1, &e->box.low[i]);
+        fmpq_mul(v + 1, v + 1, &e->box.high[i]);
+        csg_box_hold(&e->box, i, v, v + 1);
+    }
     return csg_add_node(node, r, CSG_ALL, part, 3);
 }
 
 /* Set *revolved, and check that a polygon in space is either extruded or revolved, one in the plane
  * neither. */
 static graze_status polygon_form(int *revolved, csg_reader *r, const json *value,
-                                 const json *extruded, const json *turns) {
+                                 const json *extruded, const json *turns, const json *scale) {
     graze_context *context = r->context;
     *revolved = turns != NULL;
+    if (scale && !extruded)
+        return json_fail(context, GRAZE_EINPUT, scale, "expected the key extrude beside it");
     if ((extruded != NULL) + (turns != NULL) != (r->dimension == 3))
         return json_fail(context, GRAZE_EINPUT, value,
                          r->dimension == 3 ? "expected one of the keys extrude and revolve, which "
@@ -224,12 +277,14 @@ static void revolve_box(csg_box *box) {
 }
 
 graze_status csg_read_polygon(size_t *node, csg_reader *r, const json *value) {
-    static const char *const names[] = {"points", "holes", "extrude", "revolve"};
+    static const char *const names[] = {"points", "holes", "extrude", "revolve", "scale"};
     graze_context *context = r->context;
-    const json *member[4];
+    const json *member[5];
     HELD(polygon_edges, e);
-    TRY(csg_read_members(member, r, value, names, 4, 1));
-    TRY(polygon_form(&e.revolved, r, value, member[2], member[3]));
+    TRY(csg_read_members(member, r, value, names, 5, 1));
+    TRY(polygon_form(&e.revolved, r, value, member[2], member[3], member[4]));
+    if (member[2])
+        TRY(read_heights(&e, r, member[2], member[4]));
     TRY(read_polygon_ring(&e, r, member[0]));
     if (member[1])
         TRY(json_array(context, member[1], 0));
@@ -239,7 +294,7 @@ graze_status csg_read_polygon(size_t *node, csg_reader *r, const json *value) {
         return json_fail(context, GRAZE_EILLEGAL, value, "the polygon has no interior");
     TRY(csg_add_node(node, r, CSG_ODD, e.node, e.count));
     if (member[2])
-        TRY(extrude(node, &e, r, member[2]));
+        TRY(extrude(node, &e, r, member[4]));
     if (e.revolved)
         revolve_box(&e.box);
     csg_bound_corners(r, e.box.low, e.box.high);

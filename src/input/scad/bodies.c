@@ -40,20 +40,18 @@ static graze_status write_sphere(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
-/* Write a cylinder, or a cone whose apex is above if its first radius is greater. `ring` has
- * radius and height of the bottom and of the top. */
-static void put_cylinder(scad_writer *w, const scad_place *p, const fmpq *height,
-                         const fmpq *ring) {
+void scad_put_cylinder(scad_writer *w, const scad_place *p, const fmpq *ring) {
     LOCAL_VEC(fmpq, v, 5);
+    /* A cone's apex is above if its first radius is greater. */
     fmpq *point = v, *slope = v + 1, *axis = v + 2, *end = v + 3;
     int order = fmpq_cmp(ring, ring + 2), up = order > 0;
     fmpq_set_si(axis, up ? -1 : 1, 1);
     fmpq_set(point, ring + 1);
-    fmpq_set(end + 1, height);
+    fmpq_sub(end + 1, ring + 3, ring + 1);
     if (order != 0) {
         /* The apex is where the radius, which falls by `slope`, is 0. */
         fmpq_sub(slope, ring, ring + 2);
-        fmpq_div(slope, slope, height);
+        fmpq_div(slope, slope, end + 1);
         fmpq_div(end, ring, slope);
         fmpq_add(point, point, end);
         fmpq_abs(slope, slope);
@@ -87,7 +85,7 @@ static graze_status write_cylinder(scad_writer *w, const scad_place *p) {
     if (sides > 0)
         scad_put_rings(w, p, ring, 2, sides);
     else
-        put_cylinder(w, p, height, ring);
+        scad_put_cylinder(w, p, ring);
     return GRAZE_OK;
 }
 

@@ -63,6 +63,7 @@ typedef struct scad_shape {
     hull_faces faces; /* as of hull_of_space; none in the plane */
     numbers end;      /* in the plane: one past the last point of a ring */
     fmpq_t radius;
+    int mitred; /* 1: of a polygon the edges are moved by `radius`, and meet in corners */
 } scad_shape;
 
 void scad_shape_init(scad_shape *s);
@@ -79,5 +80,15 @@ graze_status scad_hull(scad_shape *out, scad_writer *w, const scad_place *p);
  * about a, and between a and b. */
 graze_status scad_put_segment(scad_writer *w, const scad_place *p, const fmpq *a, const fmpq *b,
                               const fmpq_t radius);
+
+/** Find the points between an edge of an outline, from corner[1] to corner[2], and where it is
+ * moved to along its normal on the right, or below 0 on the left. Moved edges meet beyond a corner
+ * that they turn away from, and end over another one. Irrational normals are taken within 2^-60
+ * where rotations near maps are.
+ * @param[out] piece as initialised
+ * @param corner 4, with those before and behind the edge
+ * @return GRAZE_EINPUT a normal is irrational, or two are nearly opposite */
+graze_status scad_moved_edge(scad_shape *piece, scad_writer *w, const scad_place *p,
+                             const fmpq_t by, const fmpq *const *corner);
 
 #endif

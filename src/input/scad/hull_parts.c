@@ -168,12 +168,16 @@ graze_status scad_hull(scad_shape *out, scad_writer *w, const scad_place *p) {
     int offset = file->node[p->node].role == SCAD_OFFSET;
     size_t flat = 0, c = offset ? p->node : scad_first(file, p->node);
     LOCAL(fmpq, more);
-    TRY(scad_known(p, offset ? "r" : "convexity"));
+    field value;
+    TRY(scad_known(p, offset ? "r delta chamfer" : "convexity"));
+    if (scad_flag(p, "chamfer"))
+        return scad_fail(p, GRAZE_EINPUT, "expected chamfer = false");
     for (; c; c = offset ? 0 : scad_next(file, c))
         if (!file->node[c].empty)
             TRY(add_summand(out, &flat, w, p, c, offset));
+    out->mitred = offset && flat > 0 && scad_value(&value, p, "delta");
     if (offset)
-        TRY(scad_named_number(more, p, "r"));
+        TRY(scad_named_number(more, p, scad_value(&value, p, "delta") ? "delta" : "r"));
     fmpq_add(out->radius, out->radius, more);
     if (out->points.count == 0 || (fmpq_sgn(out->radius) <= 0 && flat == 0))
         return scad_fail(p, GRAZE_EILLEGAL, "its parts are empty; expected one with an interior");

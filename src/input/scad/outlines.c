@@ -111,6 +111,11 @@ static graze_status read_rings(scad_shape *r, scad_writer *w, const scad_place *
                                  : read_point_rings(r, w, p);
 }
 
+/* Whether the prism around a node is scaled as it rises. */
+static int is_tapered(const scad_writer *w) {
+    return !fmpq_is_one(w->scale) || !fmpq_is_one(w->scale + 1);
+}
+
 /* A square as a box. */
 static graze_status write_square(scad_writer *w, const scad_place *p) {
     int d = w->form == SCAD_PRISM ? 3 : 2;
@@ -141,6 +146,8 @@ static void put_polygon_rings(scad_writer *w, const scad_place *p, const scad_sh
         json_close(&w->json, ']');
     if (w->form == SCAD_PRISM)
         json_point(&w->json, "extrude", w->height, 2);
+    if (is_tapered(w))
+        json_point(&w->json, "scale", w->scale, 2);
     if (w->form == SCAD_REVOLVED)
         json_count(&w->json, "revolve", 1);
     scad_end(w, p);
@@ -154,19 +161,26 @@ static graze_status write_polygon(scad_writer *w, const scad_place *p) {
         put_polygon_rings(w, p, &r);
         return GRAZE_OK;
     }
-    if (w->form == SCAD_REVOLVED)
-        return scad_fail(p, GRAZE_EINPUT, "round, and revolved; expected flat parts, or no turn");
+    if (w->form == SCAD_REVOLVED || (is_tapered(w) && !r.mitred))
+        return scad_fail(p, GRAZE_EINPUT,
+                         "round or moved edges, and revolved or scaled; expected flat parts, or a prism");
     fmpq_abs(radius, r.radius);
     scad_open(w, p, fmpq_sgn(r.radius) < 0 ? "difference" : "union", '[');
     if (r.points.count > 2)
         put_polygon_rings(w, p, &r);
-    for (size_t k = 0, ring = 0, first = 0; k < r.points.count; k++) {
-        size_t last = k + 1 == r.end.item[ring], next = last ? first : k + 1;
-        if (r.points.count != 2 || k == 0 || w->form == SCAD_PRISM)
-            TRY(scad_put_segment(w, p, r.points.at + 3 * k, r.points.at + 3 * next, radius));
-        ring += last;
-        first = last ? k + 1 : first;
-    }
+    for (size_t ring = 0, first = 0; ring < r.end.count; first = r.end.item[ring++])
+        for (size_t k = first, count = r.end.item[ring] - first; k < r.end.item[ring]; k++) {
+            const fmpq *corner[4];
+            for (size_t i = 0; i < 4; i++)
+                corner[i] = r.points.at + 3 * (first + (k - first + count - 1 + i) % count);
+            HELD(scad_shape, piece);
+            if (r.mitred) {
+                TRY(scad_moved_edge(&piece, w, p, r.radius, corner));
+                put_polygon_rings(w, p, &piece);
+            } else if (r.points.count != 2 || k == 0 || w->form == SCAD_PRISM) {
+                TRY(scad_put_segment(w, p, corner[1], corner[2], radius));
+            }
+        }
     json_ends(&w->json, "]}");
     return GRAZE_OK;
 }
@@ -245,7 +259,15 @@ static graze_status write_circle(scad_writer *w, const scad_place *p) {
     if (w->form == SCAD_REVOLVED)
         return put_revolved(w, p, radius);
     if (w->form == SCAD_PRISM) {
-        TRY(scad_put_segment(w, p, w->height + 2, w->height + 2, radius));
+        LOCAL_VEC(fmpq, ring, 4);
+        if (!fmpq_equal(w->scale, w->scale + 1))
+            return scad_fail(p, GRAZE_EINPUT,
+                             "extruded with two scales; expected one, or a number of sides");
+        fmpq_set(ring, radius);
+        fmpq_mul(ring + 2, radius, w->scale);
+        for (int k = 0; k < 2; k++)
+            fmpq_set(ring + 2 * k + 1, w->height + k);
+        scad_put_cylinder(w, p, ring);
         return GRAZE_OK;
     }
     scad_open(w, p, "ball", '{');
@@ -279,7 +301,7 @@ graze_status scad_outline_extent(fmpq *low_high, scad_writer *w, const scad_plac
 
 graze_status scad_write_outline(scad_writer *w, const scad_place *p) {
     scad_role role = p->file->node[p->node].role;
-    if (role == SCAD_SQUARE && w->form != SCAD_REVOLVED)
+    if (role == SCAD_SQUARE && w->form != SCAD_REVOLVED && !is_tapered(w))
         return write_square(w, p);
     size_t sides = 0;
     if (role == SCAD_CIRCLE)

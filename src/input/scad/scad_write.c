@@ -45,19 +45,32 @@ static graze_status write_operands(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
-/* Write the rows of a map's matrix; within a prism the map keeps heights. */
-static void put_map_rows(scad_writer *w, const scad_map *m) {
+/* Write the rows of a map's matrix; within a prism the map keeps heights, and its shift is scaled
+ * with the outline. */
+static graze_status put_map_rows(scad_writer *w, const scad_place *p, const scad_map *m) {
     int d = w->dimension, flat = d == 3 && w->form == SCAD_PRISM;
-    LOCAL_VEC(fmpq, row, 4);
+    LOCAL_VEC(fmpq, row, 5);
+    if (flat && !fmpq_equal(w->scale, w->scale + 1) &&
+        !(fmpq_is_zero(m->linear + 1) && fmpq_is_zero(m->linear + 3)))
+        return scad_fail(p, GRAZE_EINPUT,
+                         "turned, and extruded with two scales; expected one scale for both axes");
     json_open(&w->json, "matrix", '[');
     for (int i = 0; i < d; i++) {
         vector_set(row, m->linear + 3 * i, d);
         fmpq_set(row + d, m->shift + i);
-        if (flat && i == 2)
+        if (flat && i < 2) {
+            fmpq_sub_si(row + 2, w->scale + i, 1);
+            fmpq_sub(row + 4, w->height + 1, w->height);
+            fmpq_div(row + 2, row + 2, row + 4);
+            fmpq_mul(row + 2, row + 2, row + 3);
+            fmpq_submul(row + 3, row + 2, w->height);
+        } else if (flat) {
             fmpq_one(row + 2);
+        }
         json_point(&w->json, NULL, row, d + 1);
     }
     json_close(&w->json, ']');
+    return GRAZE_OK;
 }
 
 static graze_status write_mapped(scad_writer *w, const scad_place *p) {
@@ -74,7 +87,7 @@ static graze_status write_mapped(scad_writer *w, const scad_place *p) {
         w->map = outer;
     } else {
         scad_open(w, p, "affine", '{');
-        put_map_rows(w, &m);
+        TRY(put_map_rows(w, p, &m));
         w->key = "of";
         TRY(write_operands(w, p));
         json_ends(&w->json, "}}");
@@ -225,37 +238,65 @@ static graze_status write_revolution(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
-/* Refuse an extrusion that is no prism over its outline. */
-static graze_status check_straight(const scad_place *p) {
-    LOCAL_VEC(fmpq, v, 3);
-    fmpq *twist = v, *scale = v + 1;
+/* Read how an extrusion moves an outline to its top, and how it scales it. */
+static graze_status read_extrusion(fmpq *along, scad_writer *w, const scad_place *p) {
+    LOCAL_VEC(fmpq, twist, 2);
+    fmpq *height = twist + 1;
     field value;
-    fmpq_one(scale);
-    fmpq_one(scale + 1);
+    TRY(scad_known(p, "height center convexity twist slices segments scale v"));
+    TRY(scad_size(height, p, "height"));
     if (scad_value(&value, p, "twist"))
         TRY(scad_number(twist, p, value));
-    if (scad_value(&value, p, "scale"))
-        TRY(scad_vector(scale, p, value, 2));
-    if (!(fmpq_is_zero(twist) && fmpq_is_one(scale) && fmpq_is_one(scale + 1)))
-        return scad_fail(p, GRAZE_EINPUT,
-                         "only prisms are taken; expected no twist and a scale of 1");
-    return GRAZE_OK;
+    if (scad_value(&value, p, "scale")) {
+        int both = *value.start != '[';
+        TRY(both ? scad_number(w->scale, p, value) : scad_vector(w->scale, p, value, 2));
+        if (both)
+            fmpq_set(w->scale + 1, w->scale);
+    }
+    if (!fmpq_is_zero(twist) || fmpq_sgn(w->scale) < 0 || fmpq_sgn(w->scale + 1) < 0)
+        return scad_fail(p, GRAZE_EINPUT, "expected no twist, and a scale that is not negative");
+    fmpq_one(along + 2);
+    if (scad_value(&value, p, "v"))
+        TRY(scad_vector(along, p, value, 3));
+    for (int i = 0; i < 3; i++)
+        fmpq_mul(along + i, along + i, height);
+    return fmpq_sgn(along + 2) > 0 ? GRAZE_OK
+                                   : scad_fail(p, GRAZE_EINPUT, "expected a v that leads upwards");
 }
 
 static graze_status write_prism(scad_writer *w, const scad_place *p) {
-    fmpq *high = w->height + 1;
-    TRY(scad_known(p, "height center convexity twist slices segments scale"));
-    TRY(check_straight(p));
-    TRY(scad_size(high, p, "height"));
+    LOCAL_VEC(fmpq, along, 5);
+    fmpq *far = along + 3, *most = along + 4, *high = w->height + 1;
+    TRY(read_extrusion(along, w, p));
+    scad_hold(far, along, 3);
+    fmpq_set(high, along + 2);
     if (scad_flag(p, "center")) {
         fmpq_div_2exp(high, high, 1);
         fmpq_neg(w->height, high);
     }
+    int sheared = !fmpq_is_zero(along) || !fmpq_is_zero(along + 1);
+    for (int i = 0; i < 2; i++)
+        fmpq_div(along + i, along + i, along + 2);
+    if (sheared) {
+        scad_open(w, p, "affine", '{');
+        json_form(json_begin(&w->json, "matrix"), "[[1,0,%,0],[0,1,%,0],[0,0,1,0]]", along,
+                  along + 1);
+        w->key = "of";
+    }
     w->form = SCAD_PRISM;
     TRY(write_operands(w, p));
     w->form = SCAD_ITSELF;
-    fmpq_add(w->reach, w->reach, high);
+    if (sheared)
+        json_ends(&w->json, "}}");
+    fmpq_one(most);
+    scad_hold(most, w->scale, 1);
+    scad_hold(most, w->scale + 1, 1);
+    fmpq_mul(w->moved, w->moved, most);
+    fmpq_mul(w->reach, w->reach, most);
+    fmpq_add(w->reach, w->reach, far);
     fmpq_zero(w->height);
+    for (int i = 0; i < 2; i++)
+        fmpq_one(w->scale + i);
     return GRAZE_OK;
 }
 
@@ -291,7 +332,7 @@ static graze_status write_node(scad_writer *w, size_t node) {
 
 /* As scad_writer.part. Of the writer around it only what is counted changes. */
 static graze_status write_part(text *out, scad_writer *around, size_t node, int inner) {
-    LOCAL_VEC(fmpq, v, 12);
+    LOCAL_VEC(fmpq, v, 14);
     scad_writer w = *around;
     w.json = (json_writer){.out = out};
     w.line = 1;
@@ -302,6 +343,9 @@ static graze_status write_part(text *out, scad_writer *around, size_t node, int 
     w.map = v + 4;
     w.reach = v + 10;
     w.moved = v + 11;
+    w.scale = v + 12;
+    for (int i = 0; i < 2; i++)
+        fmpq_one(w.scale + i);
     w.turned = w.round = w.sided = 0;
     reset_map(&w, 1);
     json_open(&w.json, NULL, '{');

@@ -22,6 +22,7 @@ typedef struct scad_writer {
     int dimension;   /* of the solid */
     scad_form form;
     fmpq *height; /* 4: those of the prism's bottom and top, and 0, 0 */
+    fmpq *scale;  /* 2: by which the prism's x and y are scaled at its top */
     fmpq *map;    /* 6, rows a b c of (a x + b y + c): within a revolution from the frame of the
                    * current node to that of the outline revolved; else the identity */
     fmpq *reach, *moved; /* bounds for the last node: how far points of its primitives are from the
@@ -64,6 +65,9 @@ void scad_put_box(scad_writer *w, const scad_place *p, const fmpq *low, const fm
                   int dimension);
 
 /* Primitives of space of OpenSCAD's files. */
+
+/** Write a cylinder, or a cone. `ring` has radius and height of the bottom and of the top. */
+void scad_put_cylinder(scad_writer *w, const scad_place *p, const fmpq *ring);
 
 /** Write a cube, a sphere, a cylinder, a polyhedron, a hull or a sum; `reach` is set. */
 graze_status scad_write_body(scad_writer *w, const scad_place *p);

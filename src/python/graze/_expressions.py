@@ -87,11 +87,13 @@ class Expressions:
         return cls._expressed(len(next(iter(terms))), {"polynomial": named})
 
     @classmethod
-    def polygon(cls: Type[Made], points: Any, holes: Any = None, extrude: Any = None, revolve: bool = False) -> Made:
-        """A polygon in the plane; with two heights `extrude` a prism, with `revolve` the solid whose points have their
+    def polygon(cls: Type[Made], points: Any, holes: Any = None, extrude: Any = None, revolve: bool = False,
+                scale: Any = None) -> Made:
+        """A polygon in the plane; with two heights `extrude` a prism, whose top the two factors
+        `scale` scale, with `revolve` the solid whose points have their
         distance from the z axis and their height in the polygon."""
         return cls._primitive(2 if extrude is None and not revolve else 3, "polygon", points=points, holes=holes, extrude=extrude,
-                              revolve=1 if revolve else None)
+                              revolve=1 if revolve else None, scale=scale)
 
     @classmethod
     def polyhedron(cls: Type[Made], points: Any, faces: Any) -> Made:
