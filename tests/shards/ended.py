@@ -178,10 +178,11 @@ def ring(n, m):
 
 TURNING = (b'{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"compose": [{"translate": ["4*t^5", "t^2", "t^3"]}, '
            b'{"quaternion": ["1", "t", "t^2-t/3", "t^3-t/7+1/11"]}]}}]}')
-# Each works for minutes at least.
+THROUGH = TURNING.replace(b"4*t^5", b"9-18*t")  # from one side of the ring at rest to the other
+# Each works for seconds at least, with the others beside it for more.
 HARD = ("check big.off turn.json", "mend big.off -o mended.off", "convert big.off -o converted.off",
         "classify mid.off turn.json --grid 500,500,500", "certify mid.off turn.json places.csv", "explain big.off turn.json 1 2 3",
-        "contact big.off turn.json --snap sites.csv", "collide mid.off turn.json mid.off", "envelope mid.off turn.json",
+        "contact big.off turn.json --snap sites.csv", "collide fine.off through.json fine.off", "envelope mid.off turn.json",
         "boundary mid.off turn.json --depth 9 --surface surface.ply", "judge mid.off turn.json mid.off",
         "generate mid.off turn.json -n 9000000 --seed 1", "draw mid.off turn.json -o page.html",
         "validate mid.off turn.json -n 1000000 --seed 1 --candidate 'cp {points} {out}'")
@@ -191,7 +192,8 @@ def check_hard_work(bench):
     """Every command is ended by a signal in the middle of hard work. All work at once; the time that they may take is
     that of a busy machine."""
     places = "".join(f"{k}/7,{k % 11}/3,{k % 13}/5\n" for k in range(300000))
-    for name, content in (("big.off", ring(600, 400)), ("mid.off", ring(60, 40)), ("turn.json", TURNING),
+    for name, content in (("big.off", ring(600, 400)), ("mid.off", ring(60, 40)), ("fine.off", ring(160, 100)),
+                          ("turn.json", TURNING), ("through.json", THROUGH),
                           ("places.csv", b"x,y,z\n" + places.encode()), ("sites.csv", b"time,x,y,z\n" + b"1/3,4,0,0\n" * 100000)):
         bench.file(name, content)
     runs = [(words, subprocess.Popen([bench.graze, *shlex.split(words)], cwd=bench.folder, stdin=subprocess.DEVNULL,
