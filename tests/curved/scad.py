@@ -82,6 +82,7 @@ NOTCH = ("polyhedron(points = [[0, 0, 0], [2, 4, 0], [8, 4, 0], [10, 0, 0], [10,
 CORNERS = of("hull", sphere(1), moved(6, 0, 0, sphere(1)), moved(0, 6, 0, sphere(1)), moved(0, 0, 6, sphere(1)))
 ROUNDED = of("minkowski", cube(2, 2, 2), sphere(1), arguments="convexity = 0")
 FRAME = of("minkowski", of("difference", square(10, 10), moved(2, 2, 0, square(6, 6))), circle(1))
+TUNNEL = of("difference", cube(10, 10, 2), moved(2, 2, -1, cube(6, 6, 4)))
 ANGLE = "polygon(points = [[0, 0], [6, 0], [6, 2], [2, 2], [2, 6], [0, 6]], paths = undef);"
 # name, text, path over [-20, 20], word, times
 SCENES = [
@@ -233,6 +234,19 @@ SCENES = [
     ("delta of a disk", of("offset", circle(4), arguments="delta = -1"), ("t", "0"), "OBIBO", [-3, 3]),
     ("delta that is scaled", raised("height = 2, scale = 0.5", of("offset", square(4, 4, center="true"), arguments="delta = 1")),
      ("t", "2", "1"), "OBIBO", [F(-9, 4), F(9, 4)]),
+    # A square, a cube of side 1 from the origin: a notch or a hole loses 1 at its low ends, the whole gains 1 at its high ends.
+    ("sum of a notch and a square", of("minkowski", ANGLE, square(1, 1)), ("t", "4"), "OBIBO", [0, 3]),
+    ("sum of a square and a notch", of("minkowski", square(1, 1), ANGLE), ("t", "5/2"), "OBIBO", [0, 7]),
+    ("sum of a frame and a square", of("minkowski", of("difference", square(10, 10), moved(2, 2, 0, square(6, 6))), square(1, 1)), ("t", "5"),
+     "OBIBOBIBO", [0, 3, 8, 11]),
+    ("sum of a notch and a square, extruded", prism(2, of("minkowski", ANGLE, square(1, 1))), ("t", "4", "1"), "OBIBO", [0, 3]),
+    ("sum of a notched part alone", of("minkowski", NOTCH), ("t", "2", "2"), "OBIBOBIBO", [0, 1, 9, 10]),
+    # At y = 2 from places of the notch at y = 1 to 2, where it is widest at 1 + 1 and 9.
+    ("sum of a notched body and a cube", of("minkowski", NOTCH, cube(1, 1, 1)), ("t", "2", "2"), "OBIBOBIBO", [0, 2, 9, 11]),
+    ("sum of a notched body and a cube, upwards", of("minkowski", NOTCH, cube(1, 1, 1)), ("1/2", "5/2", "t"), "OBIBO", [0, 6]),
+    ("sum of a tunnel and a simplex", of("minkowski", SIMPLEX, TUNNEL), ("t", "5", "1"), "OBIBOBIBO", [0, 3, 8, 11]),
+    # From 1/2 above the tunnel's top the simplex reaches 1/2 to the side.
+    ("sum of a tunnel and a simplex, above", of("minkowski", TUNNEL, SIMPLEX), ("t", "5", "5/2"), "OBIBOBIBO", [0, F(5, 2), 8, F(21, 2)]),
     ("exponents", "sphere(r = 1e-2);", ("t", "0", "0"), "OBIBO", [F(-1, 100), F(1, 100)]),
 ]
 # OpenSCAD's text of a solid and its nodes of .csg.json: equal at points of a lattice, which meets the surfaces, and at random fractions.

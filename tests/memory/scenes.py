@@ -85,7 +85,7 @@ WEDGE = ('{"dimension": 3, "solid": {"difference": [{"polygon": {"points": [[0, 
          '{"halfspace": {"normal": [2, 0, 1], "offset": "1/2"}}]}}')
 HULL = ("// a hull\nhull() {cube(size = [1, 1, 1]); cube(size = [0, 1, 1]); multmatrix([[1, 0, 0, 2], [0, 1, 0, 1], [0, 0, 1, 0], "
         "[0, 0, 0, 1]]) {cube(size = [1, 1, 1]);}}")
-ROUND = ("linear_extrude(height = 1, v = [0.6, 0, 0.8], scale = 0) {offset(delta = -0.25) {square(size = [1, 1]);}}\nlinear_extrude(height = 1) {offset(r = -0.25) {square(size = [1, 1]); sphere(r = 1);}}\nminkowski() {polyhedron(points = "
+ROUND = ("linear_extrude(height = 1, v = [0.6, 0, 0.8], scale = 0) {offset(delta = -0.25) {square(size = [1, 1]);}}\nlinear_extrude(height = 1) {minkowski() {polygon(points = [[0, 0], [3, 0], [1, 1], [0, 3]]); square(size = [1, 1]);}}\nlinear_extrude(height = 1) {offset(r = -0.25) {square(size = [1, 1]); sphere(r = 1);}}\nminkowski() {polyhedron(points = "
          "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], faces = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]); sphere(r = 1);}\n"
          "rotate_extrude(angle = 30) {square(size = [1, 1]);}\nhull() {sphere(r = 1); multmatrix([[1, 0, 0, 2], [0, 1, 0, 1], [0, 0, 1, 0], "
          "[0, 0, 0, 1]]) {sphere(r = 1);}}\npolyhedron(points = [[0, 0, 0], [3, 0, 0], [0, 3, 0], [0, 0, 3], [1, 1, 1]], faces = [[0, 2, 1], "

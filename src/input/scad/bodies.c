@@ -136,13 +136,8 @@ static void put_plate(scad_writer *w, const scad_place *p, const hull_points *s,
     vector_sub(from, s->at + 6, s->at, 3);
     vector_cross(frame + 6, frame, from);
     vector_cross(frame + 3, frame + 6, frame);
-    scad_open(w, p, "affine", '{');
-    json_open(&w->json, "matrix", '[');
-    for (int i = 0; i < 3; i++)
-        json_form(json_begin(&w->json, NULL), "[%,%,%,%]", frame + i, frame + 3 + i, frame + 6 + i,
-                  s->at + i);
-    json_close(&w->json, ']');
-    w->key = "of";
+    vector_set(frame + 9, s->at, 3);
+    scad_put_frame(w, p, frame);
     scad_open(w, p, "intersection", '[');
     scad_open(w, p, "polygon", '{');
     json_open(&w->json, "points", '[');
@@ -201,24 +196,6 @@ graze_status scad_put_segment(scad_writer *w, const scad_place *p, const fmpq *a
     return GRAZE_OK;
 }
 
-/* Write the polyhedron of a hull. */
-static void put_hull(scad_writer *w, const scad_place *p, const scad_shape *s) {
-    scad_open(w, p, "polyhedron", '{');
-    json_open(&w->json, "points", '[');
-    for (size_t k = 0; k < s->points.count; k++)
-        json_point(&w->json, NULL, s->points.at + 3 * k, 3);
-    json_close(&w->json, ']');
-    json_open(&w->json, "faces", '[');
-    for (size_t k = 0; k < s->faces.count; k++) {
-        json_open(&w->json, NULL, '[');
-        for (int i = 0; i < 3; i++)
-            json_count(&w->json, NULL, s->faces.item[k].corner[i]);
-        json_close(&w->json, ']');
-    }
-    json_close(&w->json, ']');
-    scad_end(w, p);
-}
-
 /* Write the points within the radius of a hull: its own, and those of its faces and edges, but of
  * no edge between faces in one plane. */
 static graze_status put_round_hull(scad_writer *w, const scad_place *p, const scad_shape *s) {
@@ -226,7 +203,7 @@ static graze_status put_round_hull(scad_writer *w, const scad_place *p, const sc
     if (s->faces.count == 0)
         return scad_put_segment(w, p, all->at, all->at + 3 * (all->count - 1), s->radius);
     scad_open(w, p, "union", '[');
-    put_hull(w, p, s);
+    scad_put_hull(w, p, s);
     for (size_t k = 0; k < 3 * s->faces.count; k++) {
         const size_t *corner = s->faces.item[k / 3].corner, a = corner[k % 3];
         const size_t b = corner[(k + 1) % 3];
@@ -250,12 +227,14 @@ static graze_status put_round_hull(scad_writer *w, const scad_place *p, const sc
 static graze_status write_hull(scad_writer *w, const scad_place *p) {
     HELD(scad_shape, s);
     TRY(scad_hull(&s, w, p));
+    if (s.notched.vertex_count > 0)
+        return scad_put_sum(w, p, &s);
     for (size_t k = 0; k < s.points.count; k++)
         scad_hold(w->reach, s.points.at + 3 * k, 3);
     fmpq_add(w->reach, w->reach, s.radius);
     if (!fmpq_is_zero(s.radius))
         return put_round_hull(w, p, &s);
-    put_hull(w, p, &s);
+    scad_put_hull(w, p, &s);
     return GRAZE_OK;
 }
 

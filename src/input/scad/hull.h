@@ -13,6 +13,7 @@
 #include <stdint.h>
 #include "base/context/array.h"
 #include "input/scad/writer.h"
+#include "input/soup/soup.h"
 
 /** Points of the plane or of space, each with 3 coordinates; the last is 0 in the plane. */
 typedef struct hull_points {
@@ -63,7 +64,8 @@ typedef struct scad_shape {
     hull_faces faces; /* as of hull_of_space; none in the plane */
     numbers end;      /* in the plane: one past the last point of a ring */
     fmpq_t radius;
-    int mitred; /* 1: of a polygon the edges are moved by `radius`, and meet in corners */
+    int mitred;   /* 1: of a polygon the edges are moved by `radius`, and meet in corners */
+    soup notched; /* with vertices: a part that is not convex, to which the hull is to be added */
 } scad_shape;
 
 void scad_shape_init(scad_shape *s);
@@ -72,9 +74,19 @@ void scad_shape_clear(scad_shape *s);
 /**
  * Find the hull, the Minkowski sum, or the offset of a node's children.
  * @param[out] out as initialised
- * @return GRAZE_EINPUT a part is neither flat nor round, or of a sum not convex
+ * @return GRAZE_EINPUT a part is neither flat nor round, or more than one of a sum is not convex
  */
 graze_status scad_hull(scad_shape *out, scad_writer *w, const scad_place *p);
+
+/** Write the sum of the notched part of a shape and its hull. */
+graze_status scad_put_sum(scad_writer *w, const scad_place *p, const scad_shape *s);
+
+/** Write the rings of a shape of the plane in the writer's form, and the faces of a hull. */
+void scad_put_polygon(scad_writer *w, const scad_place *p, const scad_shape *s);
+void scad_put_hull(scad_writer *w, const scad_place *p, const scad_shape *s);
+
+/** Begin what is mapped to a frame: 4 columns, its origin last. */
+void scad_put_frame(scad_writer *w, const scad_place *p, const fmpq *frame);
 
 /** Write the points within `radius` of the segment from a to b; within a prism those of a disk
  * about a, and between a and b. */

@@ -1,5 +1,11 @@
 /* Hulls, Minkowski sums and offsets of the parts of a node, by their meshes, centres and radii.
  * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The sum of a part A with notches and a convex B: if A meets x - B, then x - B is in A, and x in A
+ * moved by any point of B, or x - B meets a facet of A. If it does not meet the facet's edges too,
+ * it meets its plane inside the facet alone, where also each segment crosses that joins the points
+ * of x - B which are furthest on both sides. So A moved, facets along such segments, and edges and
+ * B are all of the sum.
  */
 #include "base/context/scope.h"
 #include "base/number/vector.h"
@@ -7,30 +13,39 @@
 #include "input/planar/planar.h"
 #include "input/scad/hull.h"
 
+/* Set n to a normal of a cycle in space, outwards. */
+static void cycle_normal(fmpq *n, const soup *s, size_t cycle) {
+    LOCAL_VEC(fmpq, part, 3);
+    const uint32_t *corner = s->index + s->cycle_start[cycle];
+    size_t count = s->cycle_start[cycle + 1] - s->cycle_start[cycle];
+    for (int i = 0; i < 3; i++)
+        fmpq_zero(n + i);
+    for (size_t k = 0; k < count; k++) {
+        vector_cross(part, s->coordinates + 3 * corner[k],
+                     s->coordinates + 3 * corner[(k + 1) % count]);
+        vector_add(n, n, part, 3);
+    }
+}
+
 /* Whether the planes, or lines, of all facets have no vertex beyond them. */
 static int is_convex(const soup *s) {
-    int d = s->dimension;
-    LOCAL_VEC(fmpq, n, 8);
+    size_t d = (size_t)s->dimension;
+    LOCAL_VEC(fmpq, n, 5);
     for (size_t c = 0; c < s->cycle_count; c++) {
-        size_t begin = s->cycle_start[c], count = s->cycle_start[c + 1] - begin;
-        const fmpq *first = s->coordinates + (size_t)d * s->index[begin];
-        for (int i = 0; i < 3; i++)
-            fmpq_zero(n + i);
-        for (size_t k = 0; k < count; k++) {
-            const fmpq *a = s->coordinates + (size_t)d * s->index[begin + k];
-            const fmpq *b = s->coordinates + (size_t)d * s->index[begin + (k + 1) % count];
-            if (d == 2) {
+        size_t begin = s->cycle_start[c], end = s->cycle_start[c + 1];
+        for (size_t k = begin; k < (d == 3 ? begin + 1 : end); k++) {
+            const fmpq *a = s->coordinates + d * s->index[k];
+            const fmpq *b = s->coordinates + d * s->index[k + 1 < end ? k + 1 : begin];
+            if (d == 3) {
+                cycle_normal(n, s, c);
+            } else {
                 fmpq_sub(n, b + 1, a + 1);
                 fmpq_sub(n + 1, a, b);
-                first = a;
-            } else {
-                vector_cross(n + 3, a, b);
-                vector_add(n, n, n + 3, 3);
             }
-            for (size_t v = 0; v < s->vertex_count && (d == 2 || k + 1 == count); v++) {
-                _fmpq_vec_dot(n + 6, n, first, d);
-                _fmpq_vec_dot(n + 7, n, s->coordinates + (size_t)d * v, d);
-                if (fmpq_cmp(n + 7, n + 6) > 0)
+            for (size_t v = 0; v < s->vertex_count; v++) {
+                _fmpq_vec_dot(n + 3, n, a, (slong)d);
+                _fmpq_vec_dot(n + 4, n, s->coordinates + d * v, (slong)d);
+                if (fmpq_cmp(n + 4, n + 3) > 0)
                     return 0;
             }
         }
@@ -41,6 +56,7 @@ static int is_convex(const soup *s) {
 void scad_shape_init(scad_shape *s) {
     *s = (scad_shape){.points.count = 0};
     fmpq_init(s->radius);
+    soup_init(&s->notched, 3);
 }
 
 void scad_shape_clear(scad_shape *s) {
@@ -48,6 +64,7 @@ void scad_shape_clear(scad_shape *s) {
     hull_faces_clear(&s->faces);
     numbers_clear(&s->end);
     fmpq_clear(s->radius);
+    soup_clear(&s->notched);
 }
 
 /* Read a part, or with `inner` the union of the node's children, as a solid of its own; `mesh` is
@@ -132,8 +149,8 @@ static graze_status add_sums(hull_points *sum, graze_context *context, const hul
     return GRAZE_OK;
 }
 
-/* Add a part to a hull or a sum. In the plane one part of a sum may have notches and holes, if the
- * others are disks; `flat` counts the others. */
+/* Add a part to a hull or a sum; one of a sum may have notches and holes. `flat` counts the flat
+ * ones. */
 static graze_status add_summand(scad_shape *out, size_t *flat, scad_writer *w, const scad_place *p,
                                 size_t part, int inner) {
     ZEROED(csg, solid);
@@ -141,26 +158,49 @@ static graze_status add_summand(scad_shape *out, size_t *flat, scad_writer *w, c
     HELD(soup, mesh, 3);
     int sum = p->file->node[p->node].role != SCAD_HULL;
     TRY(read_round_part(&solid, &mesh, w, p, part, inner));
+    *flat += mesh.vertex_count > 0;
     if (solid.round_count > 0)
         TRY(add_centers(sum ? &points : &out->points, out->radius, p, &solid, sum));
     else if (!sum && mesh.vertex_count > 0 && !fmpq_is_zero(out->radius))
         return scad_fail(p, GRAZE_EINPUT,
                          "flat and round parts are not taken together; expected one kind");
-    int notched = sum && mesh.vertex_count > 0 && !is_convex(&mesh);
-    if (mesh.vertex_count > 0 &&
-        ((notched && (mesh.dimension == 3 || *flat > 0)) || out->end.count > 0))
-        return scad_fail(p, GRAZE_EINPUT,
-                         "only convex parts are taken; expected none with a notch or a hole");
-    *flat += mesh.vertex_count > 0;
-    TRY(add_mesh_points(sum ? &points : &out->points, notched ? &out->end : NULL, w->context,
-                        &mesh));
+    if (sum && mesh.vertex_count > 0 && !is_convex(&mesh)) {
+        soup held = out->notched;
+        out->notched = mesh;
+        mesh = held;
+        if (mesh.vertex_count > 0)
+            return scad_fail(p, GRAZE_EINPUT,
+                             "two parts have notches or holes; expected one such part at most");
+        return GRAZE_OK;
+    }
+    TRY(add_mesh_points(sum ? &points : &out->points, NULL, w->context, &mesh));
     if (!sum || points.count == 0)
         return GRAZE_OK;
     if (out->points.count == 0)
         hull_points_swap(&out->points, &points);
     else
         TRY(add_sums(&out->points, w->context, &points));
-    return out->end.count == 0 ? find_hull(out, p) : GRAZE_OK;
+    return find_hull(out, p);
+}
+
+/* Take the notched part as the rings of an outline if disks alone are added to it; it stays where
+ * the hull of a flat part is added. */
+static graze_status take_notched(scad_shape *s, const scad_place *p) {
+    ZEROED(hull_points, rings);
+    LOCAL_VEC(fmpq, origin, 3);
+    if (s->points.count == 0)
+        TRY(hull_add_point(&s->points, p->context, origin, "the points of a hull"));
+    if (s->points.count > 1 || s->notched.dimension == 3)
+        return fmpq_is_zero(s->radius)
+                   ? GRAZE_OK
+                   : scad_fail(p, GRAZE_EINPUT,
+                               "of a part with a notch or a hole, with balls or with disks and "
+                               "flat parts; expected flat parts alone, in the plane or disks");
+    TRY(add_mesh_points(&rings, &s->end, p->context, &s->notched));
+    TRY(add_sums(&rings, p->context, &s->points));
+    hull_points_swap(&s->points, &rings);
+    soup_clear(&s->notched);
+    return GRAZE_OK;
 }
 
 graze_status scad_hull(scad_shape *out, scad_writer *w, const scad_place *p) {
@@ -179,10 +219,126 @@ graze_status scad_hull(scad_shape *out, scad_writer *w, const scad_place *p) {
     if (offset)
         TRY(scad_named_number(more, p, scad_value(&value, p, "delta") ? "delta" : "r"));
     fmpq_add(out->radius, out->radius, more);
-    if (out->points.count == 0 || (fmpq_sgn(out->radius) <= 0 && flat == 0))
+    if (fmpq_sgn(out->radius) <= 0 && flat == 0)
         return scad_fail(p, GRAZE_EILLEGAL, "its parts are empty; expected one with an interior");
-    if (out->end.count > 0)
-        return GRAZE_OK;
+    if (out->notched.vertex_count > 0)
+        return take_notched(out, p);
     TRY(find_hull(out, p));
     return numbers_add(&out->end, w->context, out->points.count, "the rings of a polygon");
+}
+
+/* Write the notched part, moved by the first point of the hull. */
+static graze_status put_notched(scad_writer *w, const scad_place *p, const scad_shape *s) {
+    const soup *a = &s->notched;
+    HELD(scad_shape, moved);
+    ZEROED(hull_points, by);
+    TRY(hull_add_point(&by, w->context, s->points.at, "the points of a sum"));
+    TRY(add_mesh_points(&moved.points, a->dimension == 2 ? &moved.end : NULL, w->context, a));
+    TRY(add_sums(&moved.points, w->context, &by));
+    if (a->dimension == 2) {
+        scad_put_polygon(w, p, &moved);
+        return GRAZE_OK;
+    }
+    scad_open(w, p, "polyhedron", '{');
+    json_open(&w->json, "points", '[');
+    for (size_t k = 0; k < moved.points.count; k++)
+        json_point(&w->json, NULL, moved.points.at + 3 * k, 3);
+    json_close(&w->json, ']');
+    json_open(&w->json, "faces", '[');
+    for (size_t c = 0; c < a->cycle_count; c++) {
+        json_open(&w->json, NULL, '[');
+        for (size_t k = a->cycle_start[c]; k < a->cycle_start[c + 1]; k++)
+            json_count(&w->json, NULL, a->index[k]);
+        json_close(&w->json, ']');
+    }
+    json_close(&w->json, ']');
+    scad_end(w, p);
+    return GRAZE_OK;
+}
+
+/* Write the sum of an edge and the hull. */
+static graze_status put_edge_sum(scad_writer *w, const scad_place *p, const scad_shape *s,
+                                 const size_t *end) {
+    size_t d = (size_t)s->notched.dimension;
+    HELD(scad_shape, sum);
+    LOCAL_VEC(fmpq, x, 3);
+    for (int k = 0; k < 2; k++) {
+        vector_set(x, s->notched.coordinates + d * end[k], (int)d);
+        TRY(hull_add_point(&sum.points, w->context, x, "the points of a sum"));
+    }
+    TRY(add_sums(&sum.points, w->context, &s->points));
+    TRY(find_hull(&sum, p));
+    TRY(numbers_add(&sum.end, w->context, sum.points.count, "the points of a sum"));
+    (d == 2 ? scad_put_polygon : scad_put_hull)(w, p, &sum);
+    return context_work(w->context, s->points.count);
+}
+
+/* Write the sum of a facet and the segment between the points of the hull that are lowest and
+ * highest along its normal: a prism in the frame of an edge u, n x u and that segment. */
+static graze_status put_facet_sum(scad_writer *w, const scad_place *p, const scad_shape *s,
+                                  size_t facet) {
+    const soup *a = &s->notched;
+    const size_t begin = a->facet_start[facet], end = a->facet_start[facet + 1];
+    const uint32_t *corner = a->index + a->cycle_start[begin];
+    const fmpq *origin = a->coordinates + 3 * corner[0], *low = s->points.at, *high = low;
+    HELD(scad_shape, outline);
+    LOCAL_VEC(fmpq, v, 23);
+    fmpq *frame = v, *normal = v + 12, *from = v + 15, *x = v + 18, *size = v + 21;
+    cycle_normal(normal, a, begin);
+    for (size_t k = 0; k < s->points.count; k++) {
+        const fmpq *point = s->points.at + 3 * k;
+        vector_sub(from, point, low, 3);
+        _fmpq_vec_dot(size, normal, from, 3);
+        low = fmpq_sgn(size) < 0 ? point : low;
+        vector_sub(from, point, high, 3);
+        _fmpq_vec_dot(size, normal, from, 3);
+        high = fmpq_sgn(size) > 0 ? point : high;
+    }
+    vector_sub(frame, a->coordinates + 3 * corner[1], origin, 3);
+    vector_cross(frame + 3, normal, frame);
+    vector_sub(frame + 6, high, low, 3);
+    vector_add(frame + 9, origin, low, 3);
+    for (size_t c = begin; c < end; c++) {
+        for (size_t k = a->cycle_start[c]; k < a->cycle_start[c + 1]; k++) {
+            vector_sub(from, a->coordinates + 3 * a->index[k], origin, 3);
+            for (int i = 0; i < 2; i++) {
+                _fmpq_vec_dot(x + i, frame + 3 * i, from, 3);
+                _fmpq_vec_dot(size, frame + 3 * i, frame + 3 * i, 3);
+                fmpq_div(x + i, x + i, size);
+            }
+            TRY(hull_add_point(&outline.points, w->context, x, "the points of a sum"));
+        }
+        TRY(numbers_add(&outline.end, w->context, outline.points.count, "the rings of a facet"));
+    }
+    scad_put_frame(w, p, frame);
+    w->form = SCAD_PRISM;
+    fmpq_one(w->height + 1);
+    scad_put_polygon(w, p, &outline);
+    fmpq_zero(w->height + 1);
+    w->form = SCAD_ITSELF;
+    json_ends(&w->json, "}}");
+    return GRAZE_OK;
+}
+
+graze_status scad_put_sum(scad_writer *w, const scad_place *p, const scad_shape *s) {
+    const soup *a = &s->notched;
+    LOCAL(fmpq, far);
+    for (size_t k = 0; k < a->vertex_count; k++)
+        scad_hold(w->reach, a->coordinates + (size_t)a->dimension * k, a->dimension);
+    for (size_t k = 0; k < s->points.count; k++)
+        scad_hold(far, s->points.at + 3 * k, 3);
+    fmpq_add(w->reach, w->reach, far);
+    scad_open(w, p, "union", '[');
+    TRY(put_notched(w, p, s));
+    for (size_t c = 0; c < a->cycle_count && s->points.count > 1; c++)
+        for (size_t k = a->cycle_start[c]; k < a->cycle_start[c + 1]; k++) {
+            size_t next = k + 1 < a->cycle_start[c + 1] ? k + 1 : a->cycle_start[c];
+            size_t end[2] = {a->index[k], a->index[next]};
+            if (a->dimension == 2 || end[0] < end[1])
+                TRY(put_edge_sum(w, p, s, end));
+        }
+    for (size_t f = 0; f < a->facet_count && a->dimension == 3 && s->points.count > 1; f++)
+        TRY(put_facet_sum(w, p, s, f));
+    json_ends(&w->json, "]}");
+    return GRAZE_OK;
 }

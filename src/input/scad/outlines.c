@@ -111,11 +111,6 @@ static graze_status read_rings(scad_shape *r, scad_writer *w, const scad_place *
                                  : read_point_rings(r, w, p);
 }
 
-/* Whether the prism around a node is scaled as it rises. */
-static int is_tapered(const scad_writer *w) {
-    return !fmpq_is_one(w->scale) || !fmpq_is_one(w->scale + 1);
-}
-
 /* A square as a box. */
 static graze_status write_square(scad_writer *w, const scad_place *p) {
     int d = w->form == SCAD_PRISM ? 3 : 2;
@@ -128,46 +123,26 @@ static graze_status write_square(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
-static void put_scad_ring(scad_writer *w, const char *key, const scad_shape *r, size_t ring) {
-    json_open(&w->json, key, '[');
-    for (size_t k = ring ? r->end.item[ring - 1] : 0; k < r->end.item[ring]; k++)
-        json_point(&w->json, NULL, r->points.at + 3 * k, 2);
-    json_close(&w->json, ']');
-}
-
-static void put_polygon_rings(scad_writer *w, const scad_place *p, const scad_shape *r) {
-    scad_open(w, p, "polygon", '{');
-    put_scad_ring(w, "points", r, 0);
-    if (r->end.count > 1)
-        json_open(&w->json, "holes", '[');
-    for (size_t k = 1; k < r->end.count; k++)
-        put_scad_ring(w, NULL, r, k);
-    if (r->end.count > 1)
-        json_close(&w->json, ']');
-    if (w->form == SCAD_PRISM)
-        json_point(&w->json, "extrude", w->height, 2);
-    if (is_tapered(w))
-        json_point(&w->json, "scale", w->scale, 2);
-    if (w->form == SCAD_REVOLVED)
-        json_count(&w->json, "revolve", 1);
-    scad_end(w, p);
-}
-
 static graze_status write_polygon(scad_writer *w, const scad_place *p) {
     HELD(scad_shape, r);
     LOCAL(fmpq, radius);
     TRY(read_rings(&r, w, p));
+    if (r.notched.vertex_count > 0 && w->form == SCAD_REVOLVED)
+        return scad_fail(p, GRAZE_EINPUT, "of a part with a notch, and revolved; expected no turn");
+    if (r.notched.vertex_count > 0)
+        return scad_put_sum(w, p, &r);
     if (fmpq_is_zero(r.radius)) {
-        put_polygon_rings(w, p, &r);
+        scad_put_polygon(w, p, &r);
         return GRAZE_OK;
     }
-    if (w->form == SCAD_REVOLVED || (is_tapered(w) && !r.mitred))
-        return scad_fail(p, GRAZE_EINPUT,
-                         "round or moved edges, and revolved or scaled; expected flat parts, or a prism");
+    if (w->form == SCAD_REVOLVED || (scad_is_tapered(w) && !r.mitred))
+        return scad_fail(
+            p, GRAZE_EINPUT,
+            "round or moved edges, and revolved or scaled; expected flat parts, or a prism");
     fmpq_abs(radius, r.radius);
     scad_open(w, p, fmpq_sgn(r.radius) < 0 ? "difference" : "union", '[');
     if (r.points.count > 2)
-        put_polygon_rings(w, p, &r);
+        scad_put_polygon(w, p, &r);
     for (size_t ring = 0, first = 0; ring < r.end.count; first = r.end.item[ring++])
         for (size_t k = first, count = r.end.item[ring] - first; k < r.end.item[ring]; k++) {
             const fmpq *corner[4];
@@ -176,7 +151,7 @@ static graze_status write_polygon(scad_writer *w, const scad_place *p) {
             HELD(scad_shape, piece);
             if (r.mitred) {
                 TRY(scad_moved_edge(&piece, w, p, r.radius, corner));
-                put_polygon_rings(w, p, &piece);
+                scad_put_polygon(w, p, &piece);
             } else if (r.points.count != 2 || k == 0 || w->form == SCAD_PRISM) {
                 TRY(scad_put_segment(w, p, corner[1], corner[2], radius));
             }
@@ -301,7 +276,7 @@ graze_status scad_outline_extent(fmpq *low_high, scad_writer *w, const scad_plac
 
 graze_status scad_write_outline(scad_writer *w, const scad_place *p) {
     scad_role role = p->file->node[p->node].role;
-    if (role == SCAD_SQUARE && w->form != SCAD_REVOLVED && !is_tapered(w))
+    if (role == SCAD_SQUARE && w->form != SCAD_REVOLVED && !scad_is_tapered(w))
         return write_square(w, p);
     size_t sides = 0;
     if (role == SCAD_CIRCLE)

@@ -5,7 +5,7 @@
  * solid iff (distance from the axis, height) is in the outline: so nodes of the plane are written
  * where they stand, in the form of the extrusion around them.
  */
-#include "input/scad/writer.h"
+#include "input/scad/hull.h"
 
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
@@ -265,24 +265,22 @@ static graze_status read_extrusion(fmpq *along, scad_writer *w, const scad_place
 }
 
 static graze_status write_prism(scad_writer *w, const scad_place *p) {
-    LOCAL_VEC(fmpq, along, 5);
-    fmpq *far = along + 3, *most = along + 4, *high = w->height + 1;
+    LOCAL_VEC(fmpq, frame, 14);
+    fmpq *along = frame + 6, *far = frame + 12, *most = frame + 13, *high = w->height + 1;
     TRY(read_extrusion(along, w, p));
     scad_hold(far, along, 3);
     fmpq_set(high, along + 2);
+    int sheared = !fmpq_is_zero(along) || !fmpq_is_zero(along + 1);
+    fmpq_one(frame);
+    fmpq_one(frame + 4);
+    for (int i = 0; i < 3; i++)
+        fmpq_div(along + i, along + i, high);
     if (scad_flag(p, "center")) {
         fmpq_div_2exp(high, high, 1);
         fmpq_neg(w->height, high);
     }
-    int sheared = !fmpq_is_zero(along) || !fmpq_is_zero(along + 1);
-    for (int i = 0; i < 2; i++)
-        fmpq_div(along + i, along + i, along + 2);
-    if (sheared) {
-        scad_open(w, p, "affine", '{');
-        json_form(json_begin(&w->json, "matrix"), "[[1,0,%,0],[0,1,%,0],[0,0,1,0]]", along,
-                  along + 1);
-        w->key = "of";
-    }
+    if (sheared)
+        scad_put_frame(w, p, frame);
     w->form = SCAD_PRISM;
     TRY(write_operands(w, p));
     w->form = SCAD_ITSELF;

@@ -3,7 +3,7 @@
  */
 #include <stdio.h>
 #include "base/context/scope.h"
-#include "input/scad/writer.h"
+#include "input/scad/hull.h"
 
 void scad_open(scad_writer *w, const scad_place *p, const char *key, char bracket) {
     for (; w->line < p->file->node[p->node].line; w->line++)
@@ -56,4 +56,60 @@ void scad_put_box(scad_writer *w, const scad_place *p, const fmpq *low, const fm
     json_point(&w->json, "low", low, dimension);
     json_point(&w->json, "high", high, dimension);
     scad_end(w, p);
+}
+
+int scad_is_tapered(const scad_writer *w) {
+    return !fmpq_is_one(w->scale) || !fmpq_is_one(w->scale + 1);
+}
+
+static void put_scad_ring(scad_writer *w, const char *key, const scad_shape *r, size_t ring) {
+    json_open(&w->json, key, '[');
+    for (size_t k = ring ? r->end.item[ring - 1] : 0; k < r->end.item[ring]; k++)
+        json_point(&w->json, NULL, r->points.at + 3 * k, 2);
+    json_close(&w->json, ']');
+}
+
+void scad_put_polygon(scad_writer *w, const scad_place *p, const scad_shape *r) {
+    scad_open(w, p, "polygon", '{');
+    put_scad_ring(w, "points", r, 0);
+    if (r->end.count > 1)
+        json_open(&w->json, "holes", '[');
+    for (size_t k = 1; k < r->end.count; k++)
+        put_scad_ring(w, NULL, r, k);
+    if (r->end.count > 1)
+        json_close(&w->json, ']');
+    if (w->form == SCAD_PRISM)
+        json_point(&w->json, "extrude", w->height, 2);
+    if (scad_is_tapered(w))
+        json_point(&w->json, "scale", w->scale, 2);
+    if (w->form == SCAD_REVOLVED)
+        json_count(&w->json, "revolve", 1);
+    scad_end(w, p);
+}
+
+void scad_put_hull(scad_writer *w, const scad_place *p, const scad_shape *s) {
+    scad_open(w, p, "polyhedron", '{');
+    json_open(&w->json, "points", '[');
+    for (size_t k = 0; k < s->points.count; k++)
+        json_point(&w->json, NULL, s->points.at + 3 * k, 3);
+    json_close(&w->json, ']');
+    json_open(&w->json, "faces", '[');
+    for (size_t k = 0; k < s->faces.count; k++) {
+        json_open(&w->json, NULL, '[');
+        for (int i = 0; i < 3; i++)
+            json_count(&w->json, NULL, s->faces.item[k].corner[i]);
+        json_close(&w->json, ']');
+    }
+    json_close(&w->json, ']');
+    scad_end(w, p);
+}
+
+void scad_put_frame(scad_writer *w, const scad_place *p, const fmpq *frame) {
+    scad_open(w, p, "affine", '{');
+    json_open(&w->json, "matrix", '[');
+    for (int i = 0; i < 3; i++)
+        json_form(json_begin(&w->json, NULL), "[%,%,%,%]", frame + i, frame + 3 + i, frame + 6 + i,
+                  frame + 9 + i);
+    json_close(&w->json, ']');
+    w->key = "of";
 }

@@ -64,6 +64,9 @@ graze_status scad_box(fmpq *low, fmpq *high, scad_writer *w, const scad_place *p
 void scad_put_box(scad_writer *w, const scad_place *p, const fmpq *low, const fmpq *high,
                   int dimension);
 
+/** Whether the prism around a node is scaled as it rises. */
+int scad_is_tapered(const scad_writer *w);
+
 /* Primitives of space of OpenSCAD's files. */
 
 /** Write a cylinder, or a cone. `ring` has radius and height of the bottom and of the top. */
