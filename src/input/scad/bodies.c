@@ -128,47 +128,37 @@ static graze_status write_polyhedron(scad_writer *w, const scad_place *p) {
 
 /* Write the points over, under and in a convex polygon, within `radius` of its plane: in the frame
  * of its first edge u, of n x u and of its normal n, with corner 0 as the origin. */
-static void put_plate(scad_writer *w, const scad_place *p, const hull_points *s,
-                      const fmpq_t radius) {
-    LOCAL_VEC(fmpq, v, 22);
-    fmpq *frame = v, *from = v + 12, *x = v + 15, *height = v + 18, *square = v + 20;
-    vector_sub(frame, s->at + 3, s->at, 3);
-    vector_sub(from, s->at + 6, s->at, 3);
+static graze_status put_plate(scad_writer *w, const scad_place *p, scad_shape *s,
+                              const fmpq_t radius) {
+    const fmpq *corner = s->points.at;
+    LOCAL_VEC(fmpq, frame, 18);
+    fmpq *from = frame + 12, *height = frame + 15, *square = frame + 17;
+    TRY(numbers_add(&s->end, w->context, s->points.count, "the points of a polygon"));
+    vector_sub(frame, corner + 3, corner, 3);
+    vector_sub(from, corner + 6, corner, 3);
     vector_cross(frame + 6, frame, from);
     vector_cross(frame + 3, frame + 6, frame);
-    vector_set(frame + 9, s->at, 3);
-    scad_put_frame(w, p, frame);
-    scad_open(w, p, "intersection", '[');
-    scad_open(w, p, "polygon", '{');
-    json_open(&w->json, "points", '[');
-    for (size_t k = 0; k < s->count; k++) {
-        vector_sub(from, s->at + 3 * k, s->at, 3);
-        for (int i = 0; i < 2; i++) {
-            _fmpq_vec_dot(x + i, frame + 3 * i, from, 3);
-            _fmpq_vec_dot(square, frame + 3 * i, frame + 3 * i, 3);
-            fmpq_div(x + i, x + i, square);
-        }
-        json_point(&w->json, NULL, x, 2);
-    }
-    json_close(&w->json, ']');
+    vector_set(frame + 9, corner, 3);
     _fmpq_vec_dot(square, frame + 6, frame + 6, 3);
     fmpq_div(square, radius, square);
     fmpq_mul(square, square, radius);
     csg_upper_root(height + 1, square);
     fmpq_neg(height, height + 1);
     fmpq_neg(square, square);
-    json_point(&w->json, "extrude", height, 2);
-    scad_end(w, p);
+    scad_put_frame(w, p, frame);
+    scad_open(w, p, "intersection", '[');
+    scad_put_prism(w, p, frame, s, height);
     scad_open(w, p, "quadric", '{');
     json_form(json_begin(&w->json, "0,0,2"), "\"1\",\"0,0,0\":%", square);
     scad_end(w, p);
     json_ends(&w->json, "]}}}");
+    return GRAZE_OK;
 }
 
 graze_status scad_put_segment(scad_writer *w, const scad_place *p, const fmpq *a, const fmpq *b,
                               const fmpq_t radius) {
     int d = w->form == SCAD_PRISM ? 2 : w->dimension, same = vector_compare(a, b, d) == 0;
-    ZEROED(hull_points, side);
+    HELD(scad_shape, side);
     LOCAL_VEC(fmpq, x, 3);
     if (w->form != SCAD_PRISM) {
         scad_open(w, p, same ? "ball" : "capsule", '{');
@@ -189,11 +179,9 @@ graze_status scad_put_segment(scad_writer *w, const scad_place *p, const fmpq *a
     for (int k = 0; k < 4; k++) {
         vector_set(x, k == 0 || k == 3 ? a : b, 2);
         fmpq_set(x + 2, w->height + k / 2);
-        TRY(hull_add_point(&side, w->context, x, "the points of a hull"));
+        TRY(hull_add_point(&side.points, w->context, x, "the points of a hull"));
     }
-    if (!same)
-        put_plate(w, p, &side, radius);
-    return GRAZE_OK;
+    return same ? GRAZE_OK : put_plate(w, p, &side, radius);
 }
 
 /* Write the points within the radius of a hull: its own, and those of its faces and edges, but of
@@ -207,11 +195,12 @@ static graze_status put_round_hull(scad_writer *w, const scad_place *p, const sc
     for (size_t k = 0; k < 3 * s->faces.count; k++) {
         const size_t *corner = s->faces.item[k / 3].corner, a = corner[k % 3];
         const size_t b = corner[(k + 1) % 3];
-        ZEROED(hull_points, face);
+        HELD(scad_shape, face);
         for (int i = 0; i < 3 && k % 3 == 0; i++)
-            TRY(hull_add_point(&face, w->context, all->at + 3 * corner[i], "a face of a hull"));
+            TRY(hull_add_point(&face.points, w->context, all->at + 3 * corner[i],
+                               "a face of a hull"));
         if (k % 3 == 0)
-            put_plate(w, p, &face, s->radius);
+            TRY(put_plate(w, p, &face, s->radius));
         for (size_t i = 0; i < 3 * s->faces.count && a < b; i++) {
             const size_t *other = s->faces.item[i / 3].corner;
             if (other[i % 3] == b && other[(i + 1) % 3] == a &&

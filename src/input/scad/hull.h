@@ -88,6 +88,11 @@ void scad_put_hull(scad_writer *w, const scad_place *p, const scad_shape *s);
 /** Begin what is mapped to a frame: 4 columns, its origin last. */
 void scad_put_frame(scad_writer *w, const scad_place *p, const fmpq *frame);
 
+/** Write the prism of rings in a plane of space, whose points become those in the frame, with the
+ * first point as its origin; `height` has the two heights in the frame. */
+void scad_put_prism(scad_writer *w, const scad_place *p, const fmpq *frame, scad_shape *rings,
+                    fmpq *height);
+
 /** Write the points within `radius` of the segment from a to b; within a prism those of a disk
  * about a, and between a and b. */
 graze_status scad_put_segment(scad_writer *w, const scad_place *p, const fmpq *a, const fmpq *b,

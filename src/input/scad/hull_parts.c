@@ -282,8 +282,8 @@ static graze_status put_facet_sum(scad_writer *w, const scad_place *p, const sca
     const uint32_t *corner = a->index + a->cycle_start[begin];
     const fmpq *origin = a->coordinates + 3 * corner[0], *low = s->points.at, *high = low;
     HELD(scad_shape, outline);
-    LOCAL_VEC(fmpq, v, 23);
-    fmpq *frame = v, *normal = v + 12, *from = v + 15, *x = v + 18, *size = v + 21;
+    LOCAL_VEC(fmpq, frame, 21);
+    fmpq *normal = frame + 12, *from = frame + 15, *height = frame + 18, *size = frame + 20;
     cycle_normal(normal, a, begin);
     for (size_t k = 0; k < s->points.count; k++) {
         const fmpq *point = s->points.at + 3 * k;
@@ -299,23 +299,14 @@ static graze_status put_facet_sum(scad_writer *w, const scad_place *p, const sca
     vector_sub(frame + 6, high, low, 3);
     vector_add(frame + 9, origin, low, 3);
     for (size_t c = begin; c < end; c++) {
-        for (size_t k = a->cycle_start[c]; k < a->cycle_start[c + 1]; k++) {
-            vector_sub(from, a->coordinates + 3 * a->index[k], origin, 3);
-            for (int i = 0; i < 2; i++) {
-                _fmpq_vec_dot(x + i, frame + 3 * i, from, 3);
-                _fmpq_vec_dot(size, frame + 3 * i, frame + 3 * i, 3);
-                fmpq_div(x + i, x + i, size);
-            }
-            TRY(hull_add_point(&outline.points, w->context, x, "the points of a sum"));
-        }
+        for (size_t k = a->cycle_start[c]; k < a->cycle_start[c + 1]; k++)
+            TRY(hull_add_point(&outline.points, w->context, a->coordinates + 3 * a->index[k],
+                               "the points of a sum"));
         TRY(numbers_add(&outline.end, w->context, outline.points.count, "the rings of a facet"));
     }
+    fmpq_one(height + 1);
     scad_put_frame(w, p, frame);
-    w->form = SCAD_PRISM;
-    fmpq_one(w->height + 1);
-    scad_put_polygon(w, p, &outline);
-    fmpq_zero(w->height + 1);
-    w->form = SCAD_ITSELF;
+    scad_put_prism(w, p, frame, &outline, height);
     json_ends(&w->json, "}}");
     return GRAZE_OK;
 }

@@ -330,7 +330,7 @@ static graze_status write_node(scad_writer *w, size_t node) {
 
 /* As scad_writer.part. Of the writer around it only what is counted changes. */
 static graze_status write_part(text *out, scad_writer *around, size_t node, int inner) {
-    LOCAL_VEC(fmpq, v, 14);
+    LOCAL_VEC(fmpq, v, 12);
     scad_writer w = *around;
     w.json = (json_writer){.out = out};
     w.line = 1;
@@ -341,7 +341,7 @@ static graze_status write_part(text *out, scad_writer *around, size_t node, int 
     w.map = v + 4;
     w.reach = v + 10;
     w.moved = v + 11;
-    w.scale = v + 12;
+    w.scale = v + 2;
     for (int i = 0; i < 2; i++)
         fmpq_one(w.scale + i);
     w.turned = w.round = w.sided = 0;

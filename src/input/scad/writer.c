@@ -3,6 +3,7 @@
  */
 #include <stdio.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "input/scad/hull.h"
 
 void scad_open(scad_writer *w, const scad_place *p, const char *key, char bracket) {
@@ -112,4 +113,26 @@ void scad_put_frame(scad_writer *w, const scad_place *p, const fmpq *frame) {
                   frame + 9 + i);
     json_close(&w->json, ']');
     w->key = "of";
+}
+
+void scad_put_prism(scad_writer *w, const scad_place *p, const fmpq *frame, scad_shape *rings,
+                    fmpq *height) {
+    LOCAL_VEC(fmpq, origin, 7);
+    fmpq *from = origin + 3, *size = origin + 6, *around = w->height;
+    scad_form form = w->form;
+    vector_set(origin, rings->points.at, 3);
+    for (size_t k = 0; k < rings->points.count; k++) {
+        fmpq *x = rings->points.at + 3 * k;
+        vector_sub(from, x, origin, 3);
+        for (int i = 0; i < 2; i++) {
+            _fmpq_vec_dot(x + i, frame + 3 * i, from, 3);
+            _fmpq_vec_dot(size, frame + 3 * i, frame + 3 * i, 3);
+            fmpq_div(x + i, x + i, size);
+        }
+    }
+    w->form = SCAD_PRISM;
+    w->height = height;
+    scad_put_polygon(w, p, rings);
+    w->form = form;
+    w->height = around;
 }

@@ -21,7 +21,7 @@ typedef struct scad_writer {
     const char *key; /* JSON key of the next node, NULL in a list */
     int dimension;   /* of the solid */
     scad_form form;
-    fmpq *height; /* 4: those of the prism's bottom and top, and 0, 0 */
+    fmpq *height; /* 2: those of the prism's bottom and top */
     fmpq *scale;  /* 2: by which the prism's x and y are scaled at its top */
     fmpq *map;    /* 6, rows a b c of (a x + b y + c): within a revolution from the frame of the
                    * current node to that of the outline revolved; else the identity */
