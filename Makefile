@@ -64,9 +64,10 @@ UNIT    := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/unit/*.c tests/api/*
 ORACLES := $B/tests/minkowski $B/tests/to_nef $B/tests/distances $B/tests/pairs $B/tests/places
 FLIPS   := bounds surfaces filter
 FLIP_O  := $(patsubst src/decide/%.c,$B/tests/flip/%.o,$(wildcard $(FLIPS:%=src/decide/%/*.c)))
-# Measurements include FCL where Debian's libfcl-dev is installed.
+# Measurements include FCL and Embree where Debian's libfcl-dev and libembree-dev are installed.
 FCL     := $(if $(wildcard /usr/include/fcl/fcl.h),$B/tests/bench/fcl)
-BENCH   := $B/tests/bench/inside $B/tests/bench/pairs $B/tests/bench/peers $(FCL)
+EMBREE  := $(notdir $(patsubst %/rtcore.h,%,$(lastword $(sort $(wildcard /usr/include/embree?/rtcore.h)))))
+BENCH   := $B/tests/bench/inside $B/tests/bench/pairs $B/tests/bench/peers $(FCL) $(EMBREE:%=$B/tests/bench/embree)
 # The targets of the fuzzer and the command line they fuzz, without a main.
 FUZZ_O  := $(patsubst %.c,$B/%.o,$(filter-out %/entry.c %/replay.c,$(wildcard tests/fuzz/*.c))) $(filter-out %/main.o,$(CLI_O)) $B/tests/fuzz/checker.o
 CHECKER_O := $(patsubst src/check/%.c,$B/tests/fuzz/checker/%.o,$(filter-out %/main.c %/ends.c,$(wildcard src/check/*.c))) $B/tests/fuzz/checker/inside.o
@@ -252,10 +253,10 @@ $B/tests/graze-memory: $(CLI_O) $B/tests/memory/fail.o $B/libgraze.a
 	@$(call say,LINK,$@)
 	$Q$(CXX) $(OPT) $(LDFLAGS) $(addprefix -Wl$(comma)--wrap=,malloc calloc realloc _exit _Znwm _Znam) -o $@ $^ $(LIBS)
 # The peers as their users build them: optimised, without assertions.
-$B/tests/bench/peers: tests/bench/peers.cpp | $B/.packages-build
+$B/tests/bench/peers $B/tests/bench/embree: $B/tests/bench/%: tests/bench/%.cpp tests/bench/peer.h | $B/.packages-build
 	@mkdir -p $(@D)
 	@$(call say,CXX,$<)
-	$Q$(CXX) -std=c++17 -O2 -DNDEBUG -frounding-math -o $@ $< -lmpfr -lgmp
+	$Q$(CXX) -std=c++17 -O2 -DNDEBUG $(if $(filter peers,$*),-frounding-math) -o $@ $< $(if $(filter peers,$*),-lmpfr -lgmp,-l$(EMBREE))
 $B/tests/bench/fcl: cases/candidates/fcl.cpp $B/cases/candidates/scene.o $B/cases/candidates/motion.o
 	@mkdir -p $(@D)
 	@$(call say,CXX,$<)

@@ -23,16 +23,10 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
-#include <ctime>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "peer.h"
 
 namespace {
 
@@ -43,49 +37,6 @@ using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 using Side = CGAL::Side_of_triangle_mesh<Mesh, Kernel>;
 namespace PMP = CGAL::Polygon_mesh_processing;
-
-double seconds() {
-    timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
-
-/* Records `from` to `from + n` of a file of doubles; the whole file if n is 0. */
-std::vector<double> read_doubles(const std::string &path, size_t width, size_t from, size_t n) {
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
-    size_t records = file ? size_t(file.tellg()) / (width * sizeof(double)) : 0;
-    n = n ? n : records;
-    if (!file || from + n > records)
-        throw std::runtime_error(path + ": too short");
-    std::vector<double> data(n * width);
-    file.seekg(std::streamoff(from * width * sizeof(double)));
-    file.read(reinterpret_cast<char *>(data.data()), std::streamsize(n * width * sizeof(double)));
-    return data;
-}
-
-void count_hits(const Tree &tree, std::istream &command, bool keep) {
-    std::string path, out;
-    size_t from = 0, n = 0;
-    command >> path >> from >> n >> out;
-    std::vector<double> data = read_doubles(path, 6, from, n);
-    std::vector<int64_t> hits(n);
-    double start = seconds();
-    for (size_t k = 0; k < n; k++) {
-        const double *x = &data[6 * k];
-        Kernel::Segment_3 segment(Point(x[0], x[1], x[2]), Point(x[3], x[4], x[5]));
-        hits[k] = int64_t(tree.number_of_intersected_primitives(segment));
-    }
-    double spent = seconds() - start;
-    size_t hit = 0, all = 0;
-    for (int64_t h : hits) {
-        hit += h > 0;
-        all += size_t(h);
-    }
-    if (keep)
-        std::ofstream(out, std::ios::binary)
-            .write(reinterpret_cast<const char *>(hits.data()), std::streamsize(n * 8));
-    std::printf("seconds=%.9f hit=%zu hits=%zu\n", spent, hit, all);
-}
 
 void static_points(const Side &side, std::istream &command) {
     std::string path;
@@ -165,7 +116,10 @@ void serve(const char *path) {
         std::string verb;
         command >> verb;
         if (verb == "count" || verb == "counts")
-            count_hits(tree, command, verb == "counts");
+            count_hits(command, verb == "counts", [&tree](const double *x) {
+                return tree.number_of_intersected_primitives(
+                    Kernel::Segment_3(Point(x[0], x[1], x[2]), Point(x[3], x[4], x[5])));
+            });
         else if (verb == "static")
             static_points(side, command);
         else if (verb == "union")

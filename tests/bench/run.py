@@ -104,6 +104,25 @@ class Bench:
         self.growth.setdefault(key, {})[size] = graze, peer
         return graze
 
+    def against_embree(self, size, inside, solid, peers):
+        """Embree, in single precision: no requirement, and how many of its counts are not those of Graze."""
+        program = os.path.join(self.programs, "embree")
+        if not os.path.exists(program):
+            return
+        embree = Server(program, self.path(solid))
+        graze, peer, ratio, n = in_turns(self.points(inside, "translation", False), self.segments(embree, "translation"), self.total,
+                                         self.target, REPEATS)
+        self.table.row(f"translation against Embree {embree.ready['version'] / 10000:.0f}, single precision, {size:,} faces ({n:,} points)",
+                       ratio, graze=graze, peer=peer)
+        made = self.path("designed.csv")
+        run_cpu([self.graze, "generate", self.path(solid), self.path("translation.json"), "-n", "2000", "--seed", "1", "--representable",
+                 "binary64", "--quiet", "--output", made])
+        scenes.save_points(self.folder, "designed", scenes.TRANSLATION, scenes.read_csv(made))
+        for points in ("translation", "designed"):
+            self.agreement(size, inside, embree, points, "Embree")
+        self.agreement(size, inside, peers, "designed", "CGAL")
+        embree.close()
+
     def exact_path(self, work, size, inside, points, filtered):
         inside.ask("filter", 0)
         ask = self.points(inside, points, counted=False)
@@ -165,13 +184,13 @@ class Bench:
         spent = peers.ask("static", self.path("screw.points"), 0, n)["seconds"] / n
         self.table.row(f"CGAL's point in the standing solid, {size:,} faces", spent * 1e6, unit="us", peer=spent)
 
-    def agreement(self, size, inside, peers, points):
+    def agreement(self, size, inside, peers, points, name="CGAL"):
         n = min(2000, self.total)
         one, other = self.path("graze.i"), self.path("peers.i")
         inside.ask("verdicts", self.path(points + ".points"), 0, n, one)
         peers.ask("counts", self.path(points + ".segments"), 0, n, other)
         same, count = same_numbers(one, other)
-        self.table.note(f"{size:,} faces: CGAL's hits agree with Graze's intersections for {same} of {count} points")
+        self.table.note(f"{size:,} faces, {points}: {name}'s hits agree with Graze's intersections for {same} of {count} points")
 
     def loading(self, size, solid):
         """Start both programs in turns; the last pair is handed back, warm."""
@@ -282,6 +301,7 @@ class Bench:
         inside.ask("motion", self.path("translation.json"))
         self.agreement(size, inside, peers, "translation")
         filtered = self.against_count("translation", "translation", size, inside, peers, "translation", 1.5)
+        self.against_embree(size, inside, solid, peers)
         self.against_count("translation, most miss", "most miss", size, inside, peers, "near", 3)
         self.against_count("translation, nearly all miss", "nearly all miss", size, inside, peers, "far", 3)
         self.exact_path("translation", size, inside, "translation", filtered)

@@ -8,6 +8,7 @@ import array
 import json
 import math
 import random
+from fractions import Fraction
 
 
 def torus(rings, segments):
@@ -168,3 +169,10 @@ def save_samples(path, motion, count):
 def write_csv(path, points):
     with open(path, "w", encoding="ascii") as file:
         file.writelines(",".join(map(repr, p)) + "\n" for p in points)
+
+
+def read_csv(path):
+    """The points of a table of `graze generate`, whose coordinates are doubles."""
+    with open(path, encoding="ascii") as file:
+        rows = [line.split(",") for line in file if line[0] not in "#x"]
+    return [tuple(float(Fraction(x)) for x in row[:3]) for row in rows]
