@@ -23,7 +23,7 @@ static graze_status cut_at_zeros(const cutter *k, const fmpz_poly_t p) {
 
 /* Mark the folds and cusps: the common roots of both velocities. */
 static graze_status mark_folds(graze_context *context, outline_curve *c) {
-    if (c->slant || outline_curve_degree(c) == 1)
+    if (c->slant)
         return GRAZE_OK;
     LOCAL_VEC(fmpz_poly, v, 2);
     for (int i = 0; i < 2; i++)

@@ -168,13 +168,14 @@ static int by_series(bracket *out, cell *c) {
 static int by_range(bracket *out, cell *c, int part) {
     HELD(bracket, range);
     HELD(bracket, zero);
-    int root = c->f->root;
     if (!function_series(c, 0, 1)) {
-        /* Only a root of what may vanish is bounded: by 0 and the root of the upper end. */
-        if (!root || bracket_sign(&c->den[0]) <= 0 || fmpz_sgn(c->num[0].high) < 0)
+        /* Only a root of what may vanish is bounded: by 0 and the root of the upper end, which is
+         * not below 0, as the number is not. */
+        if (!c->f->root)
             return 0;
         bracket_sqrt(&range, &c->num[0], c->places);
-        bracket_div(&range, &range, &c->den[0], c->places);
+        if (!bracket_div(&range, &range, &c->den[0], c->places))
+            return 0;
     } else {
         bracket_set(&range, &c->value[0]);
     }
