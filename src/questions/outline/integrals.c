@@ -7,7 +7,7 @@
 #include "base/context/scope.h"
 
 /* Terms of a series, more where more places are kept; the last one, of even order, is the rest. */
-enum { TERMS = 14, MOST_TERMS = 62 };
+enum { TERMS = 14, MOST_TERMS = 62, ROOM = 63 };
 
 /* A cell, and brackets of the function's series in sigma: the parameter is
  * the cell's middle + sigma times its radius, -1 <= sigma <= 1. */
@@ -16,7 +16,7 @@ typedef struct cell {
     ulong places;
     int terms;
     dyadic_interval where;
-    bracket num[MOST_TERMS + 1], den[MOST_TERMS + 1], value[MOST_TERMS + 1], spare;
+    bracket num[ROOM], den[ROOM], value[ROOM], spare;
 } cell;
 
 /* Numbers that are all zero bits are initialised ones. */
@@ -150,7 +150,7 @@ static int by_series(bracket *out, cell *c) {
     if (!function_series(c, c->terms, 1))
         return 0;
     bracket_set(&rest, &c->value[c->terms]);
-    if (!function_series(c, c->terms - 1, 0))
+    if (!function_series(c, c->terms, 0))
         return 0;
     for (int j = 0; j <= c->terms; j += 2) {
         bracket_set(&term, j < c->terms ? &c->value[j] : &rest);
