@@ -73,6 +73,9 @@ scene("square along a leg, with a rest", UNIT, legs([(0, 0), (F(3, 2), F(1, 2)),
       length=4 + 2 * sqrt(10))
 # x = 3 (2 t − t²) and y = x / 3 turn back at t = 1, where the velocity is 0
 scene("square along a leg, retraced in one piece", UNIT, moved(0, 2, [0, 6, -3], [0, 2, -1]), F(5), length=4 + 2 * sqrt(10))
+# a corner of 180 degrees turns back in the middle of the side that it slides along, at (5/4, 0): rows are longer by 1/4, the greatest t - t²
+scene("a corner that slides along its side and back", plane(ring((0, 0), (1, 0), (2, 0), (2, 1), (0, 1))), moved(0, 1, [0, 1, -1], [0]), F(9, 4),
+      length=number(F(13, 2)))
 # at rest the sweep is S; the star is 8 triangles (0, 0), (2, 0), (1/2, 1/2) of area 1/2; sides √(9/4 + 1/4)
 scene("star at rest", STAR, legs([(0, 0), (0, 0)]), F(4), length=8 * sqrt(F(5, 2)))
 # rows along x: at each |y| < 2 one interval; height 4, L = 6. Two tips' sides go, two lines of L = 6 come

@@ -80,7 +80,7 @@ static size_t compare_boxes(double size, int is_sweep) {
 
 static void whole_boxes(void **state) {
     (void)state;
-    for (int exponent = -450; exponent <= 450; exponent += 225)
+    for (int exponent = -500; exponent <= 500; exponent += 250)
         for (int is_sweep = 0; is_sweep < 2; is_sweep++) {
             make(rest, ldexp(1, exponent), is_sweep ? GRAZE_SWEEP : GRAZE_UNSWEEP);
             assert_true(compare_boxes(ldexp(1, exponent), is_sweep) > 100);
@@ -119,14 +119,29 @@ static void near_sides(void **state) {
     drop();
 }
 
-/* Boxes beside the path, and those that the solid passes between two of its 65 places; where the
- * square of a size is no double nothing is told. */
+/* Places on the axes at a corner of a solid of size 2^-1017, which is almost no normal double, are
+ * not outside it; those farther off are. */
+static void least_size(void **state) {
+    (void)state;
+    make(rest, 0x1p-1020, GRAZE_UNSWEEP);
+    for (int k = 0; k < 8; k++) {
+        double off = ldexp(k & 1 ? -1 : 1, -1020) * (k & 2 ? 8 : 9);
+        box x = {{k & 4 ? off : 0, k & 4 ? 0 : off, 0}, {k & 4 ? off : 0, k & 4 ? 0 : off, 0}};
+        assert_int_equal(outline_covers(&o, &x, 0), !(k & 2));
+    }
+    drop();
+}
+
+/* Boxes beside the path, at its first places and its last ones, and those that the solid passes
+ * between two of its 65 places; where the square of a size is no double nothing is told. */
 static void moving(void **state) {
     (void)state;
     const box around = {{31, 5, 0}, {32, 6, 0}}, above = {{31, 9, 0}, {32, 10, 0}},
-              middle = {{35, -0.25, 0}, {37, 0.25, 0}}, wide = {{30, 5, 0}, {45, 6, 0}};
+              middle = {{35, -0.25, 0}, {37, 0.25, 0}}, wide = {{30, 5, 0}, {45, 6, 0}},
+              first = {{-6, -1, 0}, {-5, 1, 0}}, last = {{69, -1, 0}, {70, 1, 0}};
     make(leg, 1, GRAZE_SWEEP);
     assert_true(outline_covers(&o, &around, 0) && outline_covers(&o, &middle, 0));
+    assert_true(outline_covers(&o, &first, 0) && outline_covers(&o, &last, 0));
     assert_false(outline_covers(&o, &above, 0) || outline_covers(&o, &wide, 0));
     drop();
     make(leg, 1, GRAZE_UNSWEEP);
@@ -140,6 +155,6 @@ static void moving(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(whole_boxes), cmocka_unit_test(near_sides),
-                                       cmocka_unit_test(moving)};
+                                       cmocka_unit_test(least_size), cmocka_unit_test(moving)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -206,11 +206,10 @@ static graze_status add_envelope_part(graze_outline *o, graze_context *context,
     return finish_curve(o, context);
 }
 
-/* The envelope is cut where it reaches an end of the edge, and where it has a pole. */
+/* The envelope is cut where it reaches an end of the edge, and where it has a pole. There is none
+ * if the edge's places at these are all times, or at no time: a product that is 0 has no roots
+ * here. */
 static graze_status add_envelope(graze_outline *o, graze_context *context, const moving_edge *e) {
-    if (fmpz_poly_is_zero(&e->across[1]) || fmpz_poly_is_zero(e->across) ||
-        fmpz_poly_is_zero(e->total))
-        return GRAZE_OK;
     HELD(algebraic_list, list);
     LOCAL(fmpz_poly, p);
     LOCAL(fmpq, middle);

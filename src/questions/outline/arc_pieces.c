@@ -147,7 +147,7 @@ static graze_status find_same(graze_outline *o, graze_context *context, size_t f
             tail = &q->next_same;
         }
     }
-    return context_work(context, 1000 + o->piece_count - first);
+    return context_work(context, o->piece_count);
 }
 
 graze_status outline_pieces(graze_outline *o, graze_context *context) {

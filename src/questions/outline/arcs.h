@@ -93,7 +93,7 @@ void image_polynomial(fmpz_poly_t out, const fmpz_poly_t q, const fmpz_poly_t nu
 /** A coordinate of a curve at a parameter, by its minimal polynomial. */
 graze_status outline_coordinate(algebraic *out, const graze_outline *o, graze_context *context,
                                 outline_curve *c, algebraic *s, int axis);
-/** The parameter of a slanted line at which the other coordinate has a value. */
+/** The parameter, x, of a slanted line at which y has a value. */
 graze_status outline_line_crossing(algebraic *out, const graze_outline *o, graze_context *context,
                                    outline_curve *c, const fmpq_t value);
 

@@ -122,18 +122,18 @@ void bracket_evaluate(bracket *out, const fmpz_poly_t p, const bracket *at, ulon
     bracket_set(out, &sum);
 }
 
-/* Is the number's interval at most 2^-places wide? */
+/* Is the number's interval less than 2^-places wide? */
 static int is_short(const dyadic_interval *where, ulong places) {
     LOCAL(fmpz, width);
     fmpz_sub(width, where->high, where->low);
-    return fmpz_bits(width) + places <= where->exponent + 1;
+    return fmpz_bits(width) + places <= where->exponent;
 }
 
 graze_status bracket_of_number(bracket *out, graze_context *context, algebraic *x, ulong places) {
     ulong gain = FIRST_GAIN;
     LOCAL_VEC(fmpq, low, 2);
     fmpq *high = low + 1;
-    for (int step = 0; !algebraic_is_rational(x) && !is_short(&x->where, places + 1); step++)
+    for (int step = 0; !algebraic_is_rational(x) && !is_short(&x->where, places); step++)
         TRY(algebraic_narrow(context, x, step, &gain));
     HELD(bracket, upper);
     algebraic_bounds(low, high, x);

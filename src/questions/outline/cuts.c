@@ -23,7 +23,7 @@ static graze_status cut_at_zeros(const cutter *k, const fmpz_poly_t p) {
 
 /* Mark the folds and cusps: the common roots of both velocities. */
 static graze_status mark_folds(graze_context *context, outline_curve *c) {
-    if (c->slant || outline_curve_degree(c) == 1)
+    if (c->slant)
         return GRAZE_OK;
     LOCAL_VEC(fmpz_poly, v, 2);
     for (int i = 0; i < 2; i++)
@@ -97,11 +97,11 @@ static graze_status cut_singular(const cutter *k) {
     LOCAL_VEC(fmpz_poly, p, 2);
     if (k->curve->slant) {
         fmpz_mpoly_derivative(slope, e->form, 1 - k->curve->axis, ring);
-        return cut_by_form(k, slope, e->degree - 1);
+        return cut_by_form(k, slope, e->degree);
     }
     for (int i = 0; i < 2; i++) {
         fmpz_mpoly_derivative(slope, e->form, i, ring);
-        form_pullback(p + i, slope, e->degree - 1, k->curve->x, ring);
+        form_pullback(p + i, slope, e->degree, k->curve->x, ring); /* times a weight */
     }
     fmpz_poly_gcd(p, p, p + 1);
     return cut_at_zeros(k, p);
@@ -170,8 +170,7 @@ static graze_status cut_curve(graze_outline *o, graze_context *context, outline_
  * that curves of the group are cut alike. */
 static graze_status cut_group(graze_outline *o, graze_context *context, size_t group,
                               unsigned char *is_near) {
-    for (size_t i = 0; i < o->equation_count; i++)
-        is_near[i] = 0;
+    memset(is_near, 0, o->equation_count);
     for (size_t i = group; i < o->curve_count; i++)
         for (size_t j = 0; j < o->curve_count && o->curve[i].group == group; j++)
             if (box_meets(&o->curve[i].box, &o->curve[j].box))

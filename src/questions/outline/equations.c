@@ -74,14 +74,12 @@ static void make_rational_line(outline_curve *c, const fmpz_mpoly_t form,
         fmpz_mpoly_get_coeff_fmpz_ui(v + k, form, power, ring);
         fmpz_poly_zero(&c->x[k]);
     }
-    int s = c->axis, other = 1 - s, flip = fmpz_sgn(v + other) < 0;
+    int s = c->axis, other = 1 - s;
     fmpz_poly_set_coeff_fmpz(&c->x[s], 1, v + other);
     fmpz_poly_set_fmpz(&c->x[2], v + other);
     fmpz_poly_set_coeff_fmpz(&c->x[other], 0, v + 2);
     fmpz_poly_set_coeff_fmpz(&c->x[other], 1, v + s);
-    fmpz_poly_neg(&c->x[flip ? s : other], &c->x[flip ? s : other]);
-    if (flip)
-        fmpz_poly_neg(&c->x[2], &c->x[2]);
+    fmpz_poly_neg(&c->x[other], &c->x[other]);
     c->slant = 0;
 }
 

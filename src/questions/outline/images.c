@@ -61,8 +61,6 @@ void number_minimal(fmpz_poly_t out, const algebraic *x) {
     for (slong k = 0; k < factors->num; k++)
         if (algebraic_sign_before(factors->p + k, &x->where))
             fmpz_poly_set(out, factors->p + k);
-    if (fmpz_sgn(fmpz_poly_lead(out)) < 0)
-        fmpz_poly_neg(out, out);
 }
 
 void number_reduce(algebraic *x) {
@@ -174,8 +172,8 @@ graze_status outline_line_crossing(algebraic *out, const graze_outline *o, graze
                                    outline_curve *c, const fmpq_t value) {
     HELD(algebraic, at);
     algebraic_set_rational(&at, value);
-    c->axis = 1 - c->axis; /* a line has either coordinate for its parameter */
-    graze_status status = outline_coordinate(out, o, context, c, &at, 1 - c->axis);
-    c->axis = 1 - c->axis;
+    c->axis = 1; /* a line that is not level has y for a parameter too */
+    graze_status status = outline_coordinate(out, o, context, c, &at, 0);
+    c->axis = 0;
     return status;
 }

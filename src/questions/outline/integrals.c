@@ -7,7 +7,7 @@
 #include "base/context/scope.h"
 
 /* Terms of a series, more where more places are kept; the last one, of even order, is the rest. */
-enum { TERMS = 14, MOST_TERMS = 62 };
+enum { TERMS = 14, MOST_TERMS = 62, ROOM = 63 };
 
 /* A cell, and brackets of the function's series in sigma: the parameter is
  * the cell's middle + sigma times its radius, -1 <= sigma <= 1. */
@@ -16,7 +16,7 @@ typedef struct cell {
     ulong places;
     int terms;
     dyadic_interval where;
-    bracket num[MOST_TERMS + 1], den[MOST_TERMS + 1], value[MOST_TERMS + 1], spare;
+    bracket num[ROOM], den[ROOM], value[ROOM], spare;
 } cell;
 
 /* Numbers that are all zero bits are initialised ones. */
@@ -150,7 +150,7 @@ static int by_series(bracket *out, cell *c) {
     if (!function_series(c, c->terms, 1))
         return 0;
     bracket_set(&rest, &c->value[c->terms]);
-    if (!function_series(c, c->terms - 1, 0))
+    if (!function_series(c, c->terms, 0))
         return 0;
     for (int j = 0; j <= c->terms; j += 2) {
         bracket_set(&term, j < c->terms ? &c->value[j] : &rest);
@@ -168,13 +168,14 @@ static int by_series(bracket *out, cell *c) {
 static int by_range(bracket *out, cell *c, int part) {
     HELD(bracket, range);
     HELD(bracket, zero);
-    int root = c->f->root;
     if (!function_series(c, 0, 1)) {
-        /* Only a root of what may vanish is bounded: by 0 and the root of the upper end. */
-        if (!root || bracket_sign(&c->den[0]) <= 0 || fmpz_sgn(c->num[0].high) < 0)
+        /* Only a root of what may vanish is bounded: by 0 and the root of the upper end, which is
+         * not below 0, as the number is not. */
+        if (!c->f->root)
             return 0;
         bracket_sqrt(&range, &c->num[0], c->places);
-        bracket_div(&range, &range, &c->den[0], c->places);
+        if (!bracket_div(&range, &range, &c->den[0], c->places))
+            return 0;
     } else {
         bracket_set(&range, &c->value[0]);
     }

@@ -195,9 +195,7 @@ static graze_status link_turns(turn_order *out, const graze_outline *o, graze_co
 
 static int compare_turn_ends(const void *left, const void *right) {
     const turn_end *a = left, *b = right;
-    if (a->point != b->point)
-        return a->point < b->point ? -1 : 1;
-    return a->number < b->number ? -1 : a->number > b->number;
+    return a->point < b->point ? -1 : a->point > b->point;
 }
 
 graze_status outline_turns(turn_order *out, graze_outline *o, graze_context *context) {
