@@ -41,11 +41,9 @@ static void scene_then_clear(scene_then *s) {
 /* Place both solids at a rational time, and find the pairs. */
 static graze_status place_both_at(scene_then *out, pair_walk *walk, size_t piece, const fmpq_t u,
                                   const node_list *of) {
-    HELD(dyadic_interval, unit);
-    dyadic_interval_set_si(&unit, 0, 1);
     placing_init(&out->p, walk->context, walk->pair, piece, u);
     out->placed = 1;
-    return near_pairs_find(&out->near, &out->within, &out->p, &unit, of);
+    return near_pairs_find(&out->near, &out->within, &out->p, &unit_interval, of);
 }
 
 /* Find the pairs at a time: if it is irrational, from the motion during its isolating interval,

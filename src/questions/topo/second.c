@@ -319,13 +319,11 @@ static graze_status keep_gap(const second_maker *m, const fmpq_t low, algebraic 
 /* Look between two successive parameters, and at the second one. */
 static graze_status look_from_to(int *out, const second_maker *m, algebraic *from, algebraic *to) {
     int sign = 0;
-    LOCAL(fmpq, between);
     HELD(algebraic, middle);
-    TRY(algebraic_between(between, m->context, from, to));
-    algebraic_set_rational(&middle, between);
+    TRY(algebraic_between(middle.value, m->context, from, to));
     TRY(look_at_slope(out, &sign, m, &middle));
     if (sign < 0 || (sign == 0 && !m->gap->order))
-        TRY(keep_gap(m, between, to));
+        TRY(keep_gap(m, middle.value, to));
     return look_at_end(out, m, to);
 }
 
