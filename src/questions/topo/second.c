@@ -75,8 +75,7 @@ void plane_gap_init(plane_gap *gap) {
 
 void plane_gap_clear(plane_gap *gap) {
     fmpq_clear(&gap->lift);
-    for (int k = 0; k < 3; k++)
-        fmpz_clear(gap->along + k);
+    _fmpz_vec_zero(gap->along, 3);
 }
 
 /* Evaluate the form of a germ at the direction of the gap. */
