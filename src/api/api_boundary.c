@@ -18,15 +18,6 @@ static graze_status take_box(fmpq *low, fmpq *high, graze_context *context, int 
     return GRAZE_OK;
 }
 
-static graze_status make(graze_boundary **out, graze_context *context, const graze_scene *scene,
-                         const graze_boundary_options *o) {
-    LOCAL_VEC(fmpq, low, 3);
-    LOCAL_VEC(fmpq, high, 3);
-    TRY(take_box(low, high, context, scene->motion->dimension, o));
-    CREATE(out, made, graze_boundary_destroy,
-           boundary_make(made, context, scene, o, o->low ? low : NULL, o->low ? high : NULL));
-}
-
 graze_status graze_boundary_create(graze_boundary **out, graze_context *context,
                                    const graze_scene *scene,
                                    const graze_boundary_options *options) {
@@ -41,7 +32,11 @@ graze_status graze_boundary_create(graze_boundary **out, graze_context *context,
     REFUSED(o.threads < 0 || o.threads > TEAM_MOST, "the threads are 0 to 1024");
     TRY(api_takes(context, "graze_boundary_create", scene->solid));
     IN_ENVIRONMENT();
-    return make(out, context, scene, &o);
+    LOCAL_VEC(fmpq, low, 3);
+    LOCAL_VEC(fmpq, high, 3);
+    TRY(take_box(low, high, context, scene->motion->dimension, &o));
+    CREATE(out, made, graze_boundary_destroy,
+           boundary_make(made, context, scene, &o, o.low ? low : NULL, o.low ? high : NULL));
 }
 
 DESTROYER(graze_boundary, boundary_clear(of))

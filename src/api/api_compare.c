@@ -5,18 +5,15 @@
 
 #include "output/compare/compare.h"
 
-static int compare_options_known(const graze_compare_options *o) {
-    return (unsigned)o->question <= GRAZE_QUESTION_CLOSED &&
-           (unsigned)o->on_as <= GRAZE_ON_AS_OUT && (unsigned)o->has <= GRAZE_HAS_SDF &&
-           (unsigned)o->truth <= GRAZE_TRUTH_OUTSIDE;
-}
-
 graze_status graze_compare(graze_comparison **out, graze_context *context, const char *golden,
                            const char *candidate, const graze_compare_options *options) {
     PUBLIC_OUT(out, context, golden, candidate);
     graze_compare_options taken;
     TRY(api_options(&taken, sizeof taken, context, __func__, options));
-    REFUSED(!compare_options_known(&taken), "an option has an unknown value");
+    REFUSED((unsigned)taken.question > GRAZE_QUESTION_CLOSED ||
+                (unsigned)taken.on_as > GRAZE_ON_AS_OUT || (unsigned)taken.has > GRAZE_HAS_SDF ||
+                (unsigned)taken.truth > GRAZE_TRUTH_OUTSIDE,
+            "an option has an unknown value");
     REFUSED(taken.has != GRAZE_HAS_SDF && (taken.truth || taken.sdf_tolerance),
             "truth and sdf_tolerance are of the column sdf; expected has to be "
             "GRAZE_HAS_SDF");

@@ -75,13 +75,7 @@ graze_status graze_mesh_create(graze_mesh **out, graze_context *context, const d
            mesh_from_arrays(made, context, vertices, vertex_count, triangles, triangle_count));
 }
 
-void graze_mesh_destroy(graze_mesh *mesh) {
-    if (!mesh)
-        return;
-    judged_mesh_clear(&mesh->judged);
-    soup_clear(&mesh->input);
-    free(mesh);
-}
+DESTROYER(graze_mesh, (judged_mesh_clear(&of->judged), soup_clear(&of->input)))
 
 graze_mesh_facts graze_mesh_get_facts(const graze_mesh *mesh) {
     graze_mesh_facts out = {0};
@@ -238,10 +232,8 @@ graze_judged_distance graze_judgement_distance(const graze_judgement *judgement,
     out.time = s->time;
     out.reached = s->reached;
     out.stuck = s->stuck;
-    for (int k = 0; k < 3; k++) {
-        out.at[k] = s->at[k];
-        out.open[k] = s->open[k];
-    }
+    memcpy(out.at, s->at, sizeof out.at);
+    memcpy(out.open, s->open, sizeof out.open);
     return out;
 }
 

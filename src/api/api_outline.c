@@ -18,12 +18,7 @@ graze_status graze_outline_create(graze_outline **out, graze_context *context,
     CREATE(out, made, graze_outline_destroy, outline_make(made, context, scene, width));
 }
 
-void graze_outline_destroy(graze_outline *outline) {
-    if (!outline)
-        return;
-    outline_clear(outline);
-    free(outline);
-}
+DESTROYER(graze_outline, outline_clear(of))
 
 graze_outline_facts graze_outline_get(const graze_outline *outline) {
     graze_outline_facts out = {0};

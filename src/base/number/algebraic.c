@@ -89,12 +89,17 @@ algebraic *algebraic_list_append(algebraic_list *list) {
     return &list->item[list->count++];
 }
 
-void wronskian(fmpz_poly_t out, const fmpz_poly_t x, const fmpz_poly_t y) {
-    LOCAL(fmpz_poly, slope);
+void cross_terms(fmpz_poly_t out, const fmpz_poly_t a, const fmpz_poly_t b, const fmpz_poly_t c,
+                 const fmpz_poly_t d) {
     LOCAL(fmpz_poly, product);
+    fmpz_poly_mul(product, b, c);
+    fmpz_poly_mul(out, a, d);
+    fmpz_poly_sub(out, out, product);
+}
+
+void wronskian(fmpz_poly_t out, const fmpz_poly_t x, const fmpz_poly_t y) {
+    LOCAL_VEC(fmpz_poly, slope, 2);
     fmpz_poly_derivative(slope, x);
-    fmpz_poly_mul(product, slope, y);
-    fmpz_poly_derivative(slope, y);
-    fmpz_poly_mul(slope, slope, x);
-    fmpz_poly_sub(out, slope, product);
+    fmpz_poly_derivative(slope + 1, y);
+    cross_terms(out, x, slope, y, slope + 1);
 }

@@ -92,6 +92,10 @@ graze_status algebraic_may_narrow(graze_context *context, const dyadic_interval 
  * @param[in,out] gain as for algebraic_refine_quadratically */
 graze_status algebraic_narrow(graze_context *context, algebraic *x, int step, ulong *gain);
 
+/** out = a d - b c, which may be one of these. */
+void cross_terms(fmpz_poly_t out, const fmpz_poly_t a, const fmpz_poly_t b, const fmpz_poly_t c,
+                 const fmpz_poly_t d);
+
 /** The Wronskian x y' - x' y. */
 void wronskian(fmpz_poly_t out, const fmpz_poly_t x, const fmpz_poly_t y);
 

@@ -22,10 +22,7 @@ static inline int wide_sign(const wide_vector *v, slong i) {
     const mp_limb_t *entry = wide_entry(v, i);
     if (entry[v->limbs - 1] >> (FLINT_BITS - 1))
         return -1;
-    for (slong k = v->limbs - 1; k >= 0; k--)
-        if (entry[k])
-            return 1;
-    return 0;
+    return !mpn_zero_p(entry, v->limbs);
 }
 
 void wide_get_fmpz(fmpz_t out, const wide_vector *v, slong i);

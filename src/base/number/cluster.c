@@ -114,12 +114,6 @@ static graze_status local_form_set(local_form *form, graze_context *context, con
     return GRAZE_OK;
 }
 
-/* 1 if bit lengths show that some coefficient is more than 2^bits times as large as the error. */
-static int local_form_is_sharp(const local_form *form, ulong bits) {
-    return (ulong)FLINT_ABS(_fmpz_vec_max_bits(form->b, form->degree + 1)) >
-           fmpz_bits(form->error) + bits;
-}
-
 /* The most sign changes that the exact coefficients can have, zeros left out; `first` and `last`
  * are the exact signs of the first and the last one. best[s] is the most changes with which the
  * signs so far can end in - (s = 0) or + (s = 1). A coefficient whose sign is not known may have
@@ -161,8 +155,7 @@ static void local_form_center(fmpz_t out, const local_form *form, slong order, u
         fmpz_zero(out);
     else
         fmpz_fdiv_q(out, out, down);
-    fmpz_set_ui(d, 1);
-    fmpz_mul_2exp(d, d, gain);
+    fmpz_one_2exp(d, gain);
     if (fmpz_sgn(out) < 0)
         fmpz_zero(out);
     else if (fmpz_cmp(out, d) > 0)
@@ -203,12 +196,14 @@ static dyadic_interval *push_pending(cluster *c, pending like) {
     return &c->stack[c->count++].where;
 }
 
-/* Compute the coefficients on an interval to the places at which the largest exceeds the error by
- * SHARPNESS bits and those of the degree. */
+/* Compute the coefficients on an interval to the places at which, by bit lengths, the largest
+ * exceeds the error by SHARPNESS bits and those of the degree. */
 static graze_status sharp_form(local_form *form, const cluster *c, pending *at) {
+    ulong more = SHARPNESS + FLINT_BIT_COUNT(form->degree);
     for (;; at->precision *= 2) {
         TRY(local_form_set(form, c->search->context, c->unit, &at->where, at->precision));
-        if (local_form_is_sharp(form, SHARPNESS + FLINT_BIT_COUNT(form->degree)))
+        slong bits = FLINT_ABS(_fmpz_vec_max_bits(form->b, form->degree + 1));
+        if ((ulong)bits > fmpz_bits(form->error) + more)
             return GRAZE_OK;
     }
 }

@@ -121,6 +121,8 @@ void dyadic_pull(fmpz_poly_t out, const fmpz_poly_t p, const dyadic_interval *in
     }
 }
 
+const dyadic_interval unit_interval = {.high = {1}};
+
 void dyadic_interval_init(dyadic_interval *interval) {
     fmpz_init(interval->low);
     fmpz_init(interval->high);

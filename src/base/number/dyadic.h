@@ -13,6 +13,9 @@ typedef struct dyadic_interval {
     ulong exponent;
 } dyadic_interval;
 
+/** [0, 1]. */
+extern const dyadic_interval unit_interval;
+
 void dyadic_interval_init(dyadic_interval *interval);
 void dyadic_interval_clear(dyadic_interval *interval);
 void dyadic_interval_set(dyadic_interval *interval, const dyadic_interval *other);

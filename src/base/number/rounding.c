@@ -20,14 +20,6 @@ typedef struct binary_format {
 static const binary_format formats[] = {
     [GRAZE_ROUND_BINARY64] = {53, -1073, 1024}, [GRAZE_ROUND_BINARY32] = {24, -148, 128}};
 
-/* Set `out` to integer * 2^shift, negated if `negative`. */
-static void set_scaled(fmpq_t out, const fmpz_t integer, slong shift, int negative) {
-    fmpq_set_fmpz(out, integer);
-    rational_shift(out, shift);
-    if (negative)
-        fmpq_neg(out, out);
-}
-
 graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding rounding) {
     if (rounding == GRAZE_ROUND_NONE || fmpq_is_zero(value))
         return GRAZE_OK;
@@ -70,9 +62,10 @@ graze_status rational_from_double(fmpq_t out, graze_context *context, double val
                             mantissa != 0 ? "NaN" : "an infinity");
     }
     mantissa |= exponent > 0 ? (uint64_t)1 << 52 : 0;
-    LOCAL(fmpz, integer);
-    fmpz_set_ui(integer, mantissa);
-    set_scaled(out, integer, (exponent > 0 ? exponent : 1) - 1075, (int)(image >> 63));
+    fmpz_set_ui(fmpq_numref(out), mantissa);
+    rational_shift(out, (exponent > 0 ? exponent : 1) - 1075);
+    if (image >> 63)
+        fmpq_neg(out, out);
     return GRAZE_OK;
 }
 

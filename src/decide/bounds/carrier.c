@@ -91,9 +91,7 @@ static int make_with_halves(carrier *out, const point_map *map, const dyadic_int
 }
 
 int carrier_make(carrier *out, const point_map *map) {
-    HELD(dyadic_interval, unit);
-    dyadic_interval_set_si(&unit, 0, 1);
-    return make_with_halves(out, map, &unit, HALF_LEVELS);
+    return make_with_halves(out, map, &unit_interval, HALF_LEVELS);
 }
 
 void carrier_clear(carrier *c) {

@@ -19,12 +19,12 @@ enum { PLACES = 32 };
 typedef struct apex {
     sign_germ *g;
     fmpq_mpoly_ctx_t ring; /* of x, y */
-    fmpq_t near;           /* the germ's time if it is rational, else a rational time near it */
+    fmpq *near;            /* the germ's time if it is rational, else a rational time near it */
     int count;
     fmpz_mpoly_struct part[PARTS]; /* irreducible, distinct: the factors of forms */
     unsigned homogeneous, odd;     /* homogeneous members; members whose lowest degree is odd */
     pattern_set shown;             /* patterns of the homogeneous members */
-    fmpq direction[3];             /* the last coordinate is 1 */
+    fmpq *direction;               /* the last coordinate is 1 */
 } apex;
 
 static int power_sum(const taylor *t, size_t term) {
@@ -270,11 +270,9 @@ static void read_members(apex *a) {
 }
 
 void apex_ask(sign_germ *g) {
-    apex a = {.g = g};
+    LOCAL_VEC(fmpq, direction, 4);
+    apex a = {.g = g, .near = direction + 3, .direction = direction};
     fmpq_mpoly_ctx_init(a.ring, VARIABLES, ORD_LEX);
-    fmpq_init(a.near);
-    for (int i = 0; i < 3; i++)
-        fmpq_init(a.direction + i);
     fmpq_one(a.direction + g->dimension - 1);
     read_time(&a);
     read_members(&a);
@@ -283,10 +281,7 @@ void apex_ask(sign_germ *g) {
     for (unsigned s = 0; s < germ_patterns(g) && g->f->status == GRAZE_OK; s++)
         if (!pattern_has(&a.shown, s & a.homogeneous))
             pattern_add(&g->never, s);
-    for (int i = 0; i < 3; i++)
-        fmpq_clear(a.direction + i);
     for (int k = 0; k < a.count; k++)
         fmpz_mpoly_clear(&a.part[k], a.ring->zctx);
-    fmpq_clear(a.near);
     fmpq_mpoly_ctx_clear(a.ring);
 }

@@ -41,14 +41,6 @@ static graze_status walk_crossing(finding_walk *f, const crossing *c) {
     return word_put_gap(f->word, after);
 }
 
-static graze_status begin_walker(finding_walk *f) {
-    graze_state before = f->walker.before;
-    graze_status status = walker_init(&f->walker, f->r, f->word);
-    f->walks = 1;
-    f->walker.before = before;
-    return status;
-}
-
 /* Take over the signs that the surfaces of a window have after it, as the exact path found them. */
 static void take_signs(finding_walk *f, const exact_window *window, const candidate *asked) {
     for (size_t k = 0; k < window->count; k++)
@@ -60,8 +52,10 @@ static void take_signs(finding_walk *f, const exact_window *window, const candid
 static graze_status walk_asked(finding_walk *f, const exact_window *window) {
     const candidate *asked = f->found->asked.item + window->first;
     int starts = window->piece == 0 && window->from == 0;
-    if (!f->walks)
-        TRY(begin_walker(f));
+    if (!f->walks) {
+        f->walks = 1;
+        TRY(walker_init(&f->walker, f->r, f->word));
+    }
     /* A time between two pieces is decided once, with the later one. */
     if (f->walker.pending && (window->from > 0 || window->piece != f->walker.piece + 1))
         TRY(walker_settle(&f->walker, f->state));

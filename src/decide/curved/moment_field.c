@@ -6,13 +6,6 @@
 #include "base/number/modular.h"
 #include "decide/curved/walker.h"
 
-/* Replace the time's polynomial by its irreducible factor that has the time as a root. */
-static graze_status make_irreducible(graze_context *context, algebraic *time) {
-    TRY(common_factor_work(context, time->poly, time->poly));
-    time->low_sign = algebraic_factor(time->poly, time->poly, &time->where);
-    return GRAZE_OK;
-}
-
 void moment_field_init(moment_field *f, graze_context *context, algebraic *time, int on_gap,
                        unsigned long *work) {
     *f = (moment_field){.context = context, .time = time, .work = work};
@@ -26,7 +19,9 @@ void moment_field_init(moment_field *f, graze_context *context, algebraic *time,
         fmpq_poly_set_coeff_fmpq(f->modulus, 0, root);
         return;
     }
-    f->status = make_irreducible(context, time);
+    f->status = common_factor_work(context, time->poly, time->poly);
+    if (!f->status)
+        time->low_sign = algebraic_factor(time->poly, time->poly, &time->where);
     fmpq_poly_set_fmpz_poly(f->modulus, time->poly);
 }
 

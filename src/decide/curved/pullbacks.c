@@ -103,9 +103,8 @@ static graze_status add_roots(pullbacks *p, size_t surface, const dyadic_interva
 
 static int compare_zeros(const void *left, const void *right) {
     const zero *a = left, *b = right;
-    if (a->time != b->time)
-        return a->time < b->time ? -1 : 1;
-    return a->surface < b->surface ? -1 : a->surface > b->surface;
+    int order = array_compare_numbers(&a->time, &b->time);
+    return order ? order : array_compare_numbers(&a->surface, &b->surface);
 }
 
 static graze_status rank_zeros(pullbacks *p) {

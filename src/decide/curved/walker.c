@@ -143,11 +143,9 @@ static graze_status put_whole_gap(walker *w, graze_state state, const dependence
 /* Find the roots, strictly between two times, of the polynomials that were asked on their gap. */
 static graze_status find_slide_cuts(algebraic_list *cuts, walker *w, const moment_field *f,
                                     algebraic *low, algebraic *high) {
-    HELD(dyadic_interval, unit);
-    dyadic_interval_set_si(&unit, 0, 1);
     HELD(algebraic_list, roots);
     for (size_t k = 0; k < f->asked_count; k++)
-        TRY(algebraic_roots(&roots, w->r->context, &f->asked[k], &unit));
+        TRY(algebraic_roots(&roots, w->r->context, &f->asked[k], &unit_interval));
     for (size_t k = 0; k < roots.count; k++) {
         int after = 0, before = 0;
         TRY(algebraic_compare(&after, w->r->context, &roots.item[k], low));

@@ -11,13 +11,6 @@ typedef struct emptiness {
     size_t *tests;
 } emptiness;
 
-static int simplex_misses(const emptiness *e, uint32_t simplex) {
-    const corners *corners = &e->solid->corners;
-    size_t d = (size_t)e->shape.dimension;
-    return chord_meets(&e->shape, &e->all, corners->at + simplex * d * d, corners->error) ==
-           CHORD_MISSES;
-}
-
 /* Is it certain that no simplex below a node meets the box? */
 static int is_empty(const emptiness *e, uint32_t index) {
     const tree_node *node = &e->solid->boxes.node[index];
@@ -30,7 +23,10 @@ static int is_empty(const emptiness *e, uint32_t index) {
     if (*e->tests == 0)
         return 0;
     --*e->tests;
-    return simplex_misses(e, node->simplex);
+    const corners *corners = &e->solid->corners;
+    size_t d = (size_t)e->shape.dimension;
+    return chord_meets(&e->shape, &e->all, corners->at + node->simplex * d * d, corners->error) ==
+           CHORD_MISSES;
 }
 
 int box_is_empty(const graze_solid *solid, const box *b, size_t *tests) {

@@ -71,7 +71,5 @@ int filter_search(filter_workspace *w, int *settled, const interior *bricks, con
         return 0;
     if (settled)
         *settled = early.met;
-    if (early.met)
-        return 1;
-    return findings_settle(found);
+    return early.met || findings_settle(found);
 }

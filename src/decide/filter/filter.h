@@ -202,11 +202,6 @@ int point_box_begin(curve *memory, const filter *f, const point_box *points);
  * @return 0 if that is not certain */
 int point_box_is_clear(curve *memory, const filter *f, const point_box *points);
 
-/** Make an anchor around the place of the cell's centre, at a time at which the centre is in the
- * deciding state.
- * @return 0 if there is no bound */
-int point_box_anchor(anchor *out, curve *memory, const filter *f, const piece_time *when);
-
 /** Is it certain that at the anchor's time the boundary does not separate the anchor from any point
  * of the cell? Then all points of the cell have the anchor's state (proofs/bricks.md C87).
  * @return 0 if that is not certain */

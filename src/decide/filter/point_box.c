@@ -215,11 +215,6 @@ int point_box_is_settled(curve *memory, const filter *f, const point_box *points
     return 0;
 }
 
-int point_box_anchor(anchor *out, curve *memory, const filter *f, const piece_time *when) {
-    out->when = *when;
-    return point_box_places(&out->around, memory, f, when, NULL);
-}
-
 int point_box_joins(curve *memory, const filter *f, const point_box *points, const anchor *to) {
     size_t tests = JOIN_TESTS;
     box all;

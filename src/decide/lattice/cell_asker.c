@@ -9,7 +9,6 @@
 
 void cell_asker_init(cell_asker *out, graze_context *context, const graze_scene *scene) {
     *out = (cell_asker){.context = context, .scene = scene};
-    curve_init(&out->tube);
 }
 
 void cell_asker_clear(cell_asker *a) {
@@ -51,16 +50,19 @@ int cell_certain_times(piece_time when[CERTAIN_TIMES_MOST], const cell_asker *a,
                  : 0;
 }
 
-/* Replace the anchors by those of a cell's centre, if certain times of the centre are found; else
- * change nothing. */
+/* Replace the anchors by those around the places of a cell's centre at certain times, if such times
+ * are found; else change nothing. */
 static void find_anchors(anchors *out, cell_asker *a, const point_box *points) {
     piece_time when[CERTAIN_TIMES_MOST];
     int count = cell_certain_times(when, a, points);
     if (count)
         out->count = 0;
-    for (int k = 0; k < count; k++)
+    for (int k = 0; k < count; k++) {
+        anchor *next = &out->item[out->count];
+        next->when = when[k];
         out->count +=
-            point_box_anchor(&out->item[out->count], &a->tube, &a->scene->filter, &when[k]);
+            point_box_places(&next->around, &a->tube, &a->scene->filter, &next->when, NULL);
+    }
 }
 
 int cell_joins(cell_asker *a, const point_box *points, const anchors *near) {

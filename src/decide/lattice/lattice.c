@@ -19,11 +19,6 @@ static void make_axis(lattice *l, int k, const fmpq *low, const fmpq *high) {
 void lattice_make(lattice *out, int dimension, const size_t *size, const fmpq *low,
                   const fmpq *high) {
     *out = (lattice){.dimension = dimension, .size = {1, 1, 1}, .count = 1};
-    for (int k = 0; k < 3; k++) {
-        fmpz_init(out->start + k);
-        fmpz_init(out->step + k);
-        fmpz_init(out->unit + k);
-    }
     for (int k = 0; k < dimension; k++) {
         out->size[k] = size[k];
         out->count *= size[k];
@@ -32,11 +27,9 @@ void lattice_make(lattice *out, int dimension, const size_t *size, const fmpq *l
 }
 
 void lattice_clear(lattice *l) {
-    for (int k = 0; k < 3; k++) {
-        fmpz_clear(l->start + k);
-        fmpz_clear(l->step + k);
-        fmpz_clear(l->unit + k);
-    }
+    _fmpz_vec_zero(l->start, 3);
+    _fmpz_vec_zero(l->step, 3);
+    _fmpz_vec_zero(l->unit, 3);
 }
 
 void lattice_coordinate(fmpq_t out, const lattice *l, int k, size_t i) {

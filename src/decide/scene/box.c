@@ -31,9 +31,9 @@ typedef struct images {
 typedef struct search {
     graze_context *context;
     int dimension;
-    fmpq reached_low[3], reached_high[3]; /* least and greatest values that are attained */
-    fmpq low[3], high[3];                 /* bounds of the intervals done so far */
-    fmpq_t slack;
+    fmpq *reached_low, *reached_high; /* least and greatest values that are attained */
+    fmpq *low, *high;                 /* bounds of the intervals done so far */
+    fmpq *slack;
     int depth;
     double work; /* operations on words so far */
 } search;
@@ -75,12 +75,12 @@ static void bound_coordinate(search *s, fmpq *low, fmpq *high, const images *m, 
             fmpz_set(fmpq_denref(ratio), weight_of(m) + k);
             widen(low, high, ratio, corner == 0 && k == 0);
             if (k == 0 || k == m->degree)
-                widen(&s->reached_low[i], &s->reached_high[i], ratio, 0);
+                widen(s->reached_low + i, s->reached_high + i, ratio, 0);
         }
     fmpq_canonicalise(low);
     fmpq_canonicalise(high);
-    fmpq_canonicalise(&s->reached_low[i]);
-    fmpq_canonicalise(&s->reached_high[i]);
+    fmpq_canonicalise(s->reached_low + i);
+    fmpq_canonicalise(s->reached_high + i);
 }
 
 static int weight_is_positive(const images *m) {
@@ -92,12 +92,10 @@ static int weight_is_positive(const images *m) {
 
 /* Is the bound within the slack of the attained values? */
 static int tight(const search *s, const fmpq *low, const fmpq *high, int i) {
-    LOCAL(fmpq, gap);
-    fmpq_sub(gap, &s->reached_low[i], low);
-    int yes = fmpq_cmp(gap, s->slack) <= 0;
-    fmpq_sub(gap, high, &s->reached_high[i]);
-    yes = yes && fmpq_cmp(gap, s->slack) <= 0;
-    return yes;
+    LOCAL_VEC(fmpq, gap, 2);
+    fmpq_sub(gap, s->reached_low + i, low);
+    fmpq_sub(gap + 1, high, s->reached_high + i);
+    return fmpq_cmp(gap, s->slack) <= 0 && fmpq_cmp(gap + 1, s->slack) <= 0;
 }
 
 /* Count what bounding and halving an interval cost; 1 if the work is spent. */
@@ -144,8 +142,8 @@ static graze_status enclose_coordinates(search *s, const images *m, unsigned ope
         if (!spent && !tight(s, low, high, i))
             continue;
         open &= ~(1u << i);
-        widen(&s->low[i], &s->high[i], low, 0);
-        widen(&s->low[i], &s->high[i], high, 0);
+        widen(s->low + i, s->high + i, low, 0);
+        widen(s->low + i, s->high + i, high, 0);
     }
     return open ? enclose_halves(s, m, open) : GRAZE_OK;
 }
@@ -174,11 +172,10 @@ static slong move_corners(fmpz_poly_struct *out, const point_map *map, const fmp
 /* The images of the corners of a box, d lower ends and d upper ends, under a map. */
 static void images_make(images *m, const point_map *map, const fmpq *box) {
     LOCAL_VEC(fmpz_poly, power, POLYNOMIALS);
-    HELD(dyadic_interval, unit);
-    dyadic_interval_set_si(&unit, 0, 1);
     images_init(m, map->dimension, move_corners(power, map, box));
     for (slong k = 0; k < m->count; k++)
-        bernstein_from_poly(m->coefficient + k * (m->degree + 1), &power[k], m->degree, &unit);
+        bernstein_from_poly(m->coefficient + k * (m->degree + 1), &power[k], m->degree,
+                            &unit_interval);
 }
 
 /* Start with the corners at u = 0: a first estimate of the size, never an empty box. */
@@ -187,8 +184,8 @@ static void start_search(search *s, const images *m) {
     for (int i = 0; i < s->dimension; i++)
         for (int corner = 0; corner < m->corners; corner++) {
             fmpq_set_fmpz_frac(value, value_of(m, i, corner), weight_of(m));
-            widen(&s->reached_low[i], &s->reached_high[i], value, corner == 0);
-            widen(&s->low[i], &s->high[i], value, corner == 0);
+            widen(s->reached_low + i, s->reached_high + i, value, corner == 0);
+            widen(s->low + i, s->high + i, value, corner == 0);
         }
 }
 
@@ -237,30 +234,6 @@ static void constant_map(point_map *out, const point_map *map) {
     fmpz_poly_set_trunc(out->weight, map->weight, 1);
 }
 
-static void search_init(search *s, graze_context *context, int dimension) {
-    s->context = context;
-    s->dimension = dimension;
-    s->depth = 0;
-    s->work = 0;
-    for (int i = 0; i < 3; i++) {
-        fmpq_init(&s->reached_low[i]);
-        fmpq_init(&s->reached_high[i]);
-        fmpq_init(&s->low[i]);
-        fmpq_init(&s->high[i]);
-    }
-    fmpq_init(s->slack);
-}
-
-static void search_clear(search *s) {
-    for (int i = 0; i < 3; i++) {
-        fmpq_clear(&s->reached_low[i]);
-        fmpq_clear(&s->reached_high[i]);
-        fmpq_clear(&s->low[i]);
-        fmpq_clear(&s->high[i]);
-    }
-    fmpq_clear(s->slack);
-}
-
 graze_status scene_box(fmpq *low, fmpq *high, graze_context *context, const graze_scene *scene) {
     const graze_motion *motion = scene->motion;
     int d = motion->dimension, unsweep = scene->options.operation == GRAZE_UNSWEEP;
@@ -268,7 +241,14 @@ graze_status scene_box(fmpq *low, fmpq *high, graze_context *context, const graz
     solid_box(box, box + d, scene->solid);
     images m;
     point_map still;
-    HELD(search, s, context, d);
+    LOCAL_VEC(fmpq, kept, 7);
+    search s = {.context = context,
+                .dimension = d,
+                .reached_low = kept,
+                .reached_high = kept + 3,
+                .low = low,
+                .high = high,
+                .slack = kept + 6};
     constant_map(&still, &motion->piece[0].inverse);
     images_make(&m, unsweep ? &still : &motion->piece[0].forward, box);
     start_search(&s, &m);
@@ -280,10 +260,6 @@ graze_status scene_box(fmpq *low, fmpq *high, graze_context *context, const graz
             images_make(&m, &motion->piece[p].forward, box);
         }
         status = enclose_coordinates(&s, &m, (1u << d) - 1);
-    }
-    for (int i = 0; i < d && !status; i++) {
-        fmpq_set(low + i, &s.low[i]);
-        fmpq_set(high + i, &s.high[i]);
     }
     if (!status)
         round_outwards(low, high, d);

@@ -60,10 +60,7 @@ static void try_primitives(finder *f) {
     for (size_t k = 0; k < f->solid->primitive_count && f->left > lattice; k++) {
         const fmpq *middle = f->solid->primitive[k].middle;
         vector_image(v, f->map, middle, d);
-        for (int i = 0; i < d; i++) {
-            fmpq_add(half + i, v + i, middle + i);
-            fmpq_div_2exp(half + i, half + i, 1);
-        }
+        vector_middle(half, v, middle, d);
         try_point(f, half);
         try_point(f, middle);
         try_point(f, v);
@@ -93,11 +90,8 @@ static void image_box(csg_box *out, const csg_box *box, const fmpq_mat_struct *m
     LOCAL_VEC(fmpq, v, 2 * d);
     fmpq *half = v + d;
     LOCAL(fmpq, size);
-    for (int i = 0; i < d; i++) {
-        fmpq_add(v + i, &box->low[i], &box->high[i]);
-        fmpq_div_2exp(v + i, v + i, 1);
-        fmpq_sub(half + i, &box->high[i], v + i);
-    }
+    vector_middle(v, box->low, box->high, d);
+    vector_sub(half, box->high, v, d);
     vector_image(out->low, map, v, d);
     for (int i = 0; i < d; i++) {
         fmpq_zero(size);

@@ -25,13 +25,6 @@ static void homogeneous_matrix(fmpq_mat_t out, const point_map *map, const fmpq_
     fmpq_one(fmpq_mat_entry(out, d, d));
 }
 
-/* The image of a point as homogeneous integers with positive last coordinate. */
-static void image(fmpz *out, const fmpq_mat_t map, const fmpq *point, int d) {
-    LOCAL_VEC(fmpq, value, d);
-    vector_image(value, map, point, d);
-    _fmpq_vec_get_fmpz_vec_fmpz(out, out + d, value, d);
-}
-
 /* Does the image of one vertex of some boundary component lie inside the solid? None lies on its
  * boundary. */
 static graze_status component_inside(int *out, graze_context *context, const graze_solid *solid,
@@ -41,13 +34,15 @@ static graze_status component_inside(int *out, graze_context *context, const gra
     if (!seen)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
     LOCAL_VEC(fmpz, x, d + 1);
+    LOCAL_VEC(fmpq, moved, d);
     *out = 0;
     for (size_t s = 0; s < solid->cut.count && !*out; s++) {
         const simplex *piece = &solid->cut.item[s];
         if (seen[piece->component])
             continue;
         seen[piece->component] = 1;
-        image(x, map, solid->input.coordinates + (size_t)piece->vertex[0] * d, d);
+        vector_image(moved, map, solid->input.coordinates + (size_t)piece->vertex[0] * d, d);
+        _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, moved, d);
         graze_state state = solid_locate(solid, x);
         if (state == GRAZE_STATE_ABSENT)
             return context_fail(context, GRAZE_EINTERNAL,

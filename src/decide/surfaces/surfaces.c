@@ -39,16 +39,12 @@ static unsigned char find_product(const surface_filter *f, const int *power, int
 
 static int convert_surface(surface_form *out, const surface_filter *f, const csg_surface *s,
                            int dimension) {
-    slong exponent = WORD_MIN, e;
+    slong exponent = FLINT_ABS(_fmpz_vec_max_bits(s->coefficient, (slong)s->count)), e;
     *out = (surface_form){.degree = s->degree, .count = (int)s->count};
     out->product = malloc(s->count);
     out->coefficient = malloc(s->count * sizeof *out->coefficient);
     if (!out->product || !out->coefficient)
         return 0;
-    for (size_t k = 0; k < s->count; k++) {
-        slong bits = (slong)fmpz_bits(s->coefficient + k);
-        exponent = bits > exponent ? bits : exponent;
-    }
     for (size_t k = 0; k < s->count; k++) {
         int power[4] = {s->power[k][0], s->power[k][1], s->power[k][2], 0};
         power[dimension] = s->degree - power[0] - power[1] - (dimension == 3 ? power[2] : 0);
@@ -86,8 +82,7 @@ static int make_boxes(surface_filter *f, const csg *solid) {
                 fmax(f->reach.axis_reach[i], fmax(fabs(boxes[k].low[i]), fabs(boxes[k].high[i])));
     for (int i = 0; i < 3; i++)
         f->reach.reach = fmax(f->reach.reach, f->reach.axis_reach[i]);
-    made = made && (!f->boxed_count || tree_build(&f->boxes, boxes, f->boxed_count) == 0);
-    return made;
+    return made && (!f->boxed_count || tree_build(&f->boxes, boxes, f->boxed_count) == 0);
 }
 
 static int make_parts(surface_filter *f, const csg *solid, const graze_motion *motion,

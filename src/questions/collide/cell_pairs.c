@@ -38,11 +38,6 @@ static void hold_near(unsigned char held[SIDE_MASKS], placing *p, near_pair simp
             close_masks(held, zero);
 }
 
-static void add_cell_pair(cell_pairs *out, placing *p, graze_cell moving, graze_cell fixed) {
-    if (PLACING_ROOM(p, out, "pairs of cells"))
-        out->item[out->count++] = (graze_cell_pair){moving, fixed};
-}
-
 /* Append the pairs of all names that the input has for two cells. */
 static void add_names(cell_pairs *out, placing *p, near_pair simplices, side_mask mask) {
     const graze_solid *a = p->pair->moving, *b = p->pair->fixed;
@@ -53,7 +48,8 @@ static void add_names(cell_pairs *out, placing *p, near_pair simplices, side_mas
     const graze_cell *second = cell_names_of(&n, &b->cut.names, &fixed);
     for (size_t i = 0; i < m; i++)
         for (size_t j = 0; j < n; j++)
-            add_cell_pair(out, p, first[i], second[j]);
+            if (PLACING_ROOM(p, out, "pairs of cells"))
+                out->item[out->count++] = (graze_cell_pair){first[i], second[j]};
 }
 
 static int compare_cell_pairs(const void *left, const void *right) {

@@ -27,15 +27,6 @@ void simplex_edge(uint32_t out[2], const graze_solid *solid, uint32_t simplex, i
     out[1] = end[0] < end[1] ? end[1] : end[0];
 }
 
-/* The sides of a simplex that hold its corner k. */
-static unsigned sides_of_corner(int d, int k) {
-    return d == 3 ? 1u << k | 1u << (k + 2) % 3 : 1u << k;
-}
-
-static void note_corner(finder *f, common_corner corner) {
-    f->out->item[f->out->count++] = corner;
-}
-
 /* Set the signs of a simplex's corners at the other simplex's plane; returns 0 if all corners are
  * strictly on one side of that plane. */
 static int look_at_plane(finder *f, pair_side side) {
@@ -59,9 +50,9 @@ static void add_vertex_corners(finder *f, pair_side side) {
         if (f->plane[side][k] == 0 &&
             placing_inside(&c.zero[other], f->p, other, simplex_of(f->simplices, other),
                            corner_vertex(f, side, k))) {
-            c.zero[side] = sides_of_corner(d, k);
+            c.zero[side] = sides_around(d, 1u << k);
             c.at[side] = k;
-            note_corner(f, c);
+            f->out->item[f->out->count++] = c;
         }
     }
 }
@@ -119,10 +110,9 @@ static void add_edge_corners(finder *f) {
             int asked =
                 (a == EDGE_THROUGH && b != EDGE_WITHIN) || (b == EDGE_THROUGH && a != EDGE_WITHIN);
             sign[k][l] = turned[l][k] = asked ? edges_sign(f, k, l) : 0;
-            if (a && b && !sign[k][l] && edges_cross(f->p, f->simplices, k, l, f->plane)) {
-                common_corner c = {CORNER_EDGES, {1u << k, 1u << l}, {k, l}};
-                note_corner(f, c);
-            }
+            if (a && b && !sign[k][l] && edges_cross(f->p, f->simplices, k, l, f->plane))
+                f->out->item[f->out->count++] =
+                    (common_corner){CORNER_EDGES, {1u << k, 1u << l}, {k, l}};
         }
     for (int k = 0; k < 3 && !f->p->status; k++)
         f->out->crossing |= passes_through(f->plane[SIDE_MOVING], k, sign[k]) ||

@@ -100,10 +100,6 @@ static void set_offset(moving_vector *out, fmpz_poly_t weight, placing *p, uint3
     fmpz_poly_scalar_mul_fmpz(weight, &x->x[d], y + d);
 }
 
-static void square(fmpz_poly_t out, const fmpz_poly_t p) {
-    fmpz_poly_mul(out, p, p);
-}
-
 /* Set the squared distance of the hulls, times the square of the offset's weight and the Gram
  * determinant of the vectors, and set that. */
 static void set_distance(fmpz_poly_t out, stationary *s, const moving_vector *offset) {
@@ -120,7 +116,7 @@ static void set_distance(fmpz_poly_t out, stationary *s, const moving_vector *of
         cross_moving(&cross, &s->span[0], &s->span[1]);
         dot_moving(s->gram, &cross, &cross);
         dot_moving(height, &cross, s->count == 2 ? offset : &s->span[2]);
-        square(s->count == 2 ? out : s->gram, height);
+        fmpz_poly_sqr(s->count == 2 ? out : s->gram, height);
     }
 }
 
@@ -150,7 +146,7 @@ static void set_stationary(stationary *s, placing *p) {
     }
     set_offset(&offset, p->value, p, base[SIDE_MOVING], base[SIDE_FIXED]);
     set_distance(s->equation, s, &offset);
-    square(least, p->value);
+    fmpz_poly_sqr(least, p->value);
     fmpz_poly_mul(least, least, s->gram);
     clearance_square(near, p->near, p->pair,
                      (near_pair){s->features->of[0].simplex, s->features->of[1].simplex});
@@ -261,8 +257,7 @@ static int foot_sign(placing *p, const stationary *s, pair_side side, int corner
     return side == SIDE_MOVING ? sign : -sign;
 }
 
-/* The sides of a simplex that hold the corners whose bits are set. */
-static unsigned sides_around(int d, unsigned corners) {
+unsigned sides_around(int d, unsigned corners) {
     unsigned sides = 0;
     for (int k = 0; k < d; k++) {
         unsigned side = d == 3 ? 1u << k | 1u << (k + 1) % 3 : 1u << k;

@@ -57,14 +57,6 @@ static uint32_t extreme_body(const solid_pair *pair, int side, int sign) {
     return best;
 }
 
-/* Set `out` to the squares of the least and the greatest clearance of any pair. */
-static void square_bounds(fmpz_poly_struct out[4], const clearance *near, const solid_pair *pair) {
-    for (int k = 0; k < 2; k++)
-        clearance_square(
-            out + (ptrdiff_t)2 * k, near, pair,
-            (near_pair){extreme_body(pair, 0, 2 * k - 1), extreme_body(pair, 1, 2 * k - 1)});
-}
-
 void clearance_least(fmpq_t out, const graze_pair *pair) {
     fmpq_set(out, pair->distance);
     for (int side = 0; side < 2; side++)
@@ -109,8 +101,10 @@ void clearance_enclose(control_maps *maps, const placing *p, const dyadic_interv
     maps->least = maps->most = 0;
     if (!p->near)
         return;
-    LOCAL_VEC(fmpz_poly, square, 4);
-    square_bounds(square, p->near, p->pair);
+    LOCAL_VEC(fmpz_poly, square, 4); /* of the least and the greatest clearance of any pair */
+    for (int k = -1; k <= 1; k += 2)
+        clearance_square(square + (k + 1), p->near, p->pair,
+                         (near_pair){extreme_body(p->pair, 0, k), extreme_body(p->pair, 1, k)});
     maps->least = INFINITY;
     take_square(&maps->least, NULL, square, interval);
     take_square(NULL, &maps->most, square + 2, interval);

@@ -154,9 +154,7 @@ graze_status features_near(feature_list *out, placing *p) {
     unsigned zero[2];
     ZEROED(near_list, near);
     ZEROED(feature_list, list);
-    HELD(dyadic_interval, unit);
-    dyadic_interval_set_si(&unit, 0, 1);
-    TRY(near_pairs_find(&near, NULL, p, &unit, NULL));
+    TRY(near_pairs_find(&near, NULL, p, &unit_interval, NULL));
     for (int kind = 0; kind < features_end(p); kind++) {
         features_gather(&list, p, &near, kind);
         for (size_t k = 0; k < list.count && !p->status; k++)

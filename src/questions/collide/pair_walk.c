@@ -41,11 +41,9 @@ static void scene_then_clear(scene_then *s) {
 /* Place both solids at a rational time, and find the pairs. */
 static graze_status place_both_at(scene_then *out, pair_walk *walk, size_t piece, const fmpq_t u,
                                   const node_list *of) {
-    HELD(dyadic_interval, unit);
-    dyadic_interval_set_si(&unit, 0, 1);
     placing_init(&out->p, walk->context, walk->pair, piece, u);
     out->placed = 1;
-    return near_pairs_find(&out->near, &out->within, &out->p, &unit, of);
+    return near_pairs_find(&out->near, &out->within, &out->p, &unit_interval, of);
 }
 
 /* Find the pairs at a time: if it is irrational, from the motion during its isolating interval,
@@ -153,21 +151,6 @@ graze_status pair_walk_on(pair_walk *walk, size_t piece, const fmpq_t u) {
     return GRAZE_OK;
 }
 
-/* A rational time between the last time and another one, or t0 if there is no last time. */
-static graze_status time_before(size_t *piece, fmpq_t u, pair_walk *walk, graze_time *next) {
-    if (walk->last)
-        return time_between(piece, u, walk->context, walk->last, next);
-    *piece = 0;
-    fmpq_zero(u);
-    return GRAZE_OK;
-}
-
-/* Find the state of the gap before `next` unless it is known, and give a time u inside the gap. */
-static graze_status know_gap(pair_walk *walk, size_t *piece, fmpq_t u, graze_time *next) {
-    TRY(time_before(piece, u, walk, next));
-    return walk->gap ? GRAZE_OK : look_into_gap(walk, *piece, u);
-}
-
 /* Find the state, I or B, at a time at which the boundaries meet: t0, or a time whose gap before it
  * has the state I. `u`, on the piece `before`, is a rational time in that gap. */
 static graze_status look_at_contact(graze_state *out, pair_walk *walk, scene_then *then, placing *p,
@@ -222,9 +205,11 @@ static graze_status is_last(int *out, pair_walk *walk, size_t piece, algebraic *
 static graze_status walk_to_next(pair_walk *walk, placing *whole, graze_time *next,
                                  const node_list *near) {
     size_t before = 0;
-    LOCAL(fmpq, u);
-    if (!time_is_start(next))
-        TRY(know_gap(walk, &before, u, next));
+    LOCAL(fmpq, u); /* a time of the gap before `next`: t0 if there is no last time */
+    if (walk->last && !time_is_start(next))
+        TRY(time_between(&before, u, walk->context, walk->last, next));
+    if (!walk->gap && !time_is_start(next))
+        TRY(look_into_gap(walk, before, u));
     graze_state left = walk->gap;
     if (walk->done)
         return GRAZE_OK;

@@ -162,6 +162,9 @@ typedef struct common_points {
 /** Find the corners at the placing's time. After a failure of the placing the result is invalid. */
 void common_points_find(common_points *out, placing *p, near_pair simplices);
 
+/** The sides of a simplex that hold the corners whose bits are set. */
+unsigned sides_around(int d, unsigned corners);
+
 /** Give the two vertices of side k of a triangle, or vertex k of a segment twice. */
 void simplex_side(uint32_t out[2], const graze_solid *solid, uint32_t simplex, int k);
 /** Give the vertices as simplex_side does, the one with the lower number first: a key of the edge.

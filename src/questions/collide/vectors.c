@@ -35,12 +35,9 @@ void dot_moving(fmpz_poly_t out, const moving_vector *a, const moving_vector *b)
 
 /* out = a x b; `out` is neither. */
 void cross_moving(moving_vector *out, const moving_vector *a, const moving_vector *b) {
-    LOCAL(fmpz_poly, term);
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
-        fmpz_poly_mul(&out->c[i], &a->c[j], &b->c[k]);
-        fmpz_poly_mul(term, &a->c[k], &b->c[j]);
-        fmpz_poly_sub(&out->c[i], &out->c[i], term);
+        cross_terms(&out->c[i], &a->c[j], &a->c[k], &b->c[j], &b->c[k]);
     }
 }
 

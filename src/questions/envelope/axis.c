@@ -4,12 +4,6 @@
 #include "base/number/isolate.h"
 #include "questions/envelope/sign_events.h"
 
-static void append_end(algebraic_list *list, slong value) {
-    LOCAL(fmpq, end);
-    fmpq_set_si(end, value, 1);
-    algebraic_set_rational(algebraic_list_append(list), end);
-}
-
 /* Sort the roots into `point`; equal numbers stand there once. */
 static graze_status order_points(axis *x, graze_context *context) {
     size_t n = x->roots.count;
@@ -25,13 +19,11 @@ static graze_status order_points(axis *x, graze_context *context) {
 graze_status axis_make(axis *out, graze_context *context, const fmpz_poly_struct *p, size_t count) {
     memset(out, 0, sizeof *out);
     algebraic_list_init(&out->roots);
-    HELD(dyadic_interval, unit);
-    dyadic_interval_set_si(&unit, 0, 1);
-    append_end(&out->roots, 0);
-    append_end(&out->roots, 1);
+    algebraic_list_append(&out->roots); /* 0 */
+    fmpq_one(algebraic_list_append(&out->roots)->value);
     for (size_t k = 0; k < count; k++)
         if (!fmpz_poly_is_zero(p + k))
-            TRY(algebraic_roots(&out->roots, context, p + k, &unit));
+            TRY(algebraic_roots(&out->roots, context, p + k, &unit_interval));
     TRY(order_points(out, context));
     out->sample = _fmpq_vec_init((slong)out->count);
     for (size_t k = 1; k < out->count; k++)
@@ -53,9 +45,7 @@ int axis_sign_before(const axis *x, const fmpz_poly_struct *p, size_t k) {
 int axis_one_sign(const fmpz_poly_struct *p) {
     if (fmpz_poly_is_zero(p))
         return 0;
-    HELD(dyadic_interval, unit);
-    dyadic_interval_set_si(&unit, 0, 1);
-    HELD(bernstein_form, form, p, fmpz_poly_degree(p), &unit);
+    HELD(bernstein_form, form, p, fmpz_poly_degree(p), &unit_interval);
     int low = wide_sign(&form.c, 0), high = wide_sign(&form.c, form.c.count - 1);
     return low == high && bernstein_variations(&form) == 0 ? low : 0;
 }

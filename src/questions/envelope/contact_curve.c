@@ -119,18 +119,14 @@ static graze_status judge_parts(graze_curve *c, graze_context *context, const gr
     return c->dimension == 3 ? chains_find(c, context, &e->cells) : GRAZE_OK;
 }
 
-static graze_status find_at(graze_curve *out, graze_context *context, const graze_envelope *e,
-                            const fmpq_t t) {
-    ZEROED(snapshot, s);
-    TRY(snapshot_make(&s, context, e, t));
-    return find_parts(out, context, &s);
-}
-
 graze_status contact_curve_find(graze_curve *out, graze_context *context, const graze_envelope *e,
                                 const fmpq_t t) {
+    ZEROED(snapshot, s);
     contact_curve_init(out, e->cells.dimension);
     fmpq_set(out->t, t);
-    graze_status status = find_at(out, context, e, t);
+    graze_status status = snapshot_make(&s, context, e, t);
+    if (!status)
+        status = find_parts(out, context, &s);
     if (status)
         contact_curve_clear(out);
     return status;

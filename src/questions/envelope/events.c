@@ -69,18 +69,13 @@ graze_status events_watch(event_list *list, graze_context *context, const found_
 /* The order of events by time, then by kind, cells and signs. */
 static int compare_at_one_time(const void *left, const void *right) {
     const found_event *a = left, *b = right;
-    if (a->time != b->time)
-        return a->time < b->time ? -1 : 1;
-    if (a->kind != b->kind)
-        return a->kind < b->kind ? -1 : 1;
-    const graze_cell *first[] = {&a->cell, &a->facet, &a->other};
-    const graze_cell *second[] = {&b->cell, &b->facet, &b->other};
-    for (int k = 0; k < 3; k++) {
-        int order = cell_compare(first[k], second[k]);
-        if (order)
-            return order;
-    }
-    return a->before != b->before ? a->before - b->before : a->after - b->after;
+    int order = array_compare_numbers(&a->time, &b->time);
+    order = order ? order : (int)a->kind - (int)b->kind;
+    order = order ? order : cell_compare(&a->cell, &b->cell);
+    order = order ? order : cell_compare(&a->facet, &b->facet);
+    order = order ? order : cell_compare(&a->other, &b->other);
+    order = order ? order : a->before - b->before;
+    return order ? order : a->after - b->after;
 }
 
 /* Number the times of the events of one piece; `where` points to their parameters u. */

@@ -7,16 +7,6 @@
 #include "base/context/scope.h"
 #include "questions/envelope/patch_ends.h"
 
-/* out = a d - b c */
-static void subtract_products(fmpz_poly_struct *out, const fmpz_poly_struct *a,
-                              const fmpz_poly_struct *b, const fmpz_poly_struct *c,
-                              const fmpz_poly_struct *d) {
-    LOCAL(fmpz_poly, first);
-    fmpz_poly_mul(first, a, d);
-    fmpz_poly_mul(out, b, c);
-    fmpz_poly_sub(out, first, out);
-}
-
 enum { CORNER_G, CORNER_THETA };
 
 static int no_sign(const signed char *sign) {
@@ -136,10 +126,10 @@ static int set_slice(signs *s, const derivatives *f, size_t facet, const cell_ed
     LOCAL(fmpz_poly, at_v);
     derivatives_along(at_u, f, 2, facet, edge->u);
     derivatives_along(at_v, f, 2, facet, edge->v);
-    subtract_products(&s->p[SLICE_THETA], &s->p[SLICE_U], &s->p[SLICE_V], at_u, at_v);
+    cross_terms(&s->p[SLICE_THETA], &s->p[SLICE_U], &s->p[SLICE_V], at_u, at_v);
     fmpz_poly_derivative(at_u, &s->p[SLICE_U]);
     fmpz_poly_derivative(at_v, &s->p[SLICE_V]);
-    subtract_products(&s->p[SLICE_TURN], &s->p[SLICE_U], &s->p[SLICE_V], at_u, at_v);
+    cross_terms(&s->p[SLICE_TURN], &s->p[SLICE_U], &s->p[SLICE_V], at_u, at_v);
     return 1;
 }
 
@@ -191,8 +181,7 @@ static void set_meet(signs *s, const derivatives *f, const cell_edge *side, size
                                        drop_if_apart(&s->p[MEET_2U], &s->p[MEET_2V])))
         for (int k = 0; k < MEET_R; k++)
             fmpz_poly_zero(&s->p[k]);
-    subtract_products(&s->p[MEET_R], &s->p[MEET_1U], &s->p[MEET_1V], &s->p[MEET_2U],
-                      &s->p[MEET_2V]);
+    cross_terms(&s->p[MEET_R], &s->p[MEET_1U], &s->p[MEET_1V], &s->p[MEET_2U], &s->p[MEET_2V]);
 }
 
 graze_status gather_meet(graze_envelope *e, graze_context *context, size_t edge, size_t first,

@@ -63,17 +63,10 @@ static graze_status emit_set(joining *j) {
     return joint_add(j->p, j->context, cell, form, j->from, j->to, &j->set);
 }
 
-static graze_status join_at_vertex(joining *j) {
-    j->set.count = 0;
-    for (size_t k = 0; k < j->count; k++)
-        if (is_active(j, &j->place[k]))
-            TRY(members_add(&j->set, j->context, j->place[k].patch));
-    return emit_set(j);
-}
-
-/* Join whole facets that contain the edge with runs along all of it. */
-static graze_status join_along_edge(joining *j) {
-    int whole = 0;
+/* Join the patches at a vertex, whose places have no facet; or whole facets that contain an edge
+ * with runs along all of it. */
+static graze_status join_all_of_cell(joining *j) {
+    int whole = !j->place->is_edge;
     j->set.count = 0;
     for (size_t k = 0; k < j->count; k++)
         if (j->place[k].facet == SIZE_MAX && is_active(j, &j->place[k])) {
@@ -149,12 +142,9 @@ static graze_status join_cell(joining *j) {
     for (size_t k = 1; k < j->cuts.count; k++) {
         j->from = j->cuts.item[k - 1];
         j->to = j->cuts.item[k];
-        if (!j->place->is_edge) {
-            TRY(join_at_vertex(j));
-            continue;
-        }
-        TRY(join_along_edge(j));
-        TRY(join_within_edge(j));
+        TRY(join_all_of_cell(j));
+        if (j->place->is_edge)
+            TRY(join_within_edge(j));
     }
     return context_work(j->context, 1000);
 }

@@ -172,9 +172,7 @@ static graze_status compare_within(int *out, limit_finder *f, const limit_place 
     for (int k = 0; k < 4; k++)
         derived_g(at + k, f, k < 2 ? a : b, k == 1 || k == 2);
     if (a->piece == b->piece) {
-        fmpz_poly_mul(at, at, at + 2);
-        fmpz_poly_mul(at + 1, at + 1, at + 3);
-        fmpz_poly_sub(at, at, at + 1);
+        cross_terms(at, at, at + 1, at + 3, at + 2);
         return algebraic_sign_at(out, f->context, at, a->u);
     }
     for (int k = 0; k < 4; k++) /* at a break, where the parameters are 1 (before) and 0 (after) */
@@ -297,11 +295,9 @@ static size_t date_places(dated_place *out, const graze_patches *p, const place_
 static void limit_finder_init(limit_finder *f, graze_patches *p, graze_context *context,
                               const place_list *places) {
     *f = (limit_finder){.p = p, .context = context, .places = places};
-    LOCAL(fmpq, one);
-    fmpq_one(one);
     algebraic_init(&f->before);
     algebraic_init(&f->after);
-    algebraic_set_rational(&f->before, one);
+    fmpq_one(f->before.value);
 }
 
 static void limit_finder_clear(limit_finder *f) {

@@ -24,9 +24,7 @@ static graze_status append_boundary(moment_list *list, graze_context *context,
         return GRAZE_OK;
     }
     HELD(algebraic, at);
-    LOCAL(fmpq, value);
-    fmpq_set_si(value, u, 1);
-    algebraic_set_rational(&at, value);
+    fmpq_set_si(at.value, u, 1);
     graze_time *time;
     TRY(time_make(&time, context, events->motion, piece, &at));
     list->own[list->own_count++] = time;
@@ -71,8 +69,7 @@ graze_status moments_between(fmpq_t out, graze_context *context, const moment_li
     HELD(algebraic, low);
     HELD(algebraic, high);
     algebraic_set(&low, &first->u);
-    fmpq_one(out);
-    algebraic_set_rational(&high, out);
+    fmpq_one(high.value);
     if (last->piece == first->piece)
         algebraic_set(&high, &last->u);
     TRY(algebraic_between(out, context, &low, &high));

@@ -117,9 +117,7 @@ static int compare_slice_points(const void *left, const void *right) {
 static int compare_edge_points(const void *left, const void *right) {
     const slice_point *a = left, *b = right;
     int order = compare_slice_points(a, b);
-    return order                          ? order
-           : a->end.facet != b->end.facet ? (a->end.facet < b->end.facet ? 1 : -1)
-                                          : 0;
+    return order ? order : array_compare_numbers(&b->end.facet, &a->end.facet);
 }
 
 int parts_facet_holds(const cell_complex *c, size_t facet, const fmpq *at) {

@@ -49,8 +49,7 @@ static graze_status pick_parameter(fmpq_t out, graze_context *context, const gra
     HELD(algebraic, low);
     HELD(algebraic, high);
     HELD(algebraic, middle);
-    fmpq_one(out);
-    algebraic_set_rational(&high, out);
+    fmpq_one(high.value);
     if (gap->from != SIZE_MAX)
         algebraic_set(&low, &e->events.time[gap->from]->u);
     if (gap->to != SIZE_MAX)

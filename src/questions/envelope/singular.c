@@ -34,12 +34,9 @@ static void derivative_at(fmpz_poly_struct *out, const singular_view *v, int row
 /* The minors of the rows a and b: the cross product. */
 static void set_minors(fmpz_poly_struct *out, const fmpz_poly_struct *a,
                        const fmpz_poly_struct *b) {
-    LOCAL(fmpz_poly, second);
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
-        fmpz_poly_mul(out + i, a + j, b + k);
-        fmpz_poly_mul(second, a + k, b + j);
-        fmpz_poly_sub(out + i, out + i, second);
+        cross_terms(out + i, a + j, a + k, b + j, b + k);
     }
 }
 

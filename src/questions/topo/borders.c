@@ -16,8 +16,7 @@ void borders_init(borders *b, int dimension) {
 }
 
 static void clear_vectors(fmpz *vectors, size_t count, int dimension) {
-    for (size_t k = 0; k < count * (size_t)dimension; k++)
-        fmpz_clear(vectors + k);
+    _fmpz_vec_zero(vectors, (slong)count * dimension);
     free(vectors);
 }
 

@@ -110,10 +110,6 @@ graze_status cone_state(graze_state *out, local_cone *cone, graze_context *conte
     return GRAZE_OK;
 }
 
-static int compare_cuts(const void *a, const void *b) {
-    return fmpq_cmp(a, b);
-}
-
 /* Add a multiple of the ray to w that is so large that w has the ray's sign at every plane but
  * those along the ray. */
 static void add_ray(fmpz *w, const local_cone *cone, const fmpz *ray) {
@@ -163,7 +159,7 @@ graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_
         if (fmpz_sgn(a) * fmpz_sgn(b) > 0)
             fmpq_set_fmpz_frac(cut + count++, a, b);
     }
-    qsort(cut, (size_t)count, sizeof *cut, compare_cuts);
+    _fmpq_vec_sort(cut, count);
     *in_interior = *in_cone = 0;
     for (slong k = 0; k < count && !*in_interior; k++) {
         TRY(look_along(in_interior, in_cone, cone, context, ray, u, e, cut + k));

@@ -13,10 +13,8 @@ static graze_status meets_piece(int *out, graze_context *context, const fmpz_pol
     *out = fmpz_poly_is_zero(p);
     if (fmpz_poly_degree(p) < 1)
         return GRAZE_OK;
-    HELD(dyadic_interval, piece);
-    dyadic_interval_set_si(&piece, 0, 1);
     HELD(algebraic_list, roots);
-    TRY(algebraic_roots(&roots, context, p, &piece));
+    TRY(algebraic_roots(&roots, context, p, &unit_interval));
     *out = roots.count > 0;
     return GRAZE_OK;
 }

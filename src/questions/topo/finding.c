@@ -27,14 +27,13 @@ void finding_init(topo_finding *f) {
 void finding_clear(topo_finding *f) {
     fmpq_clear(&f->reach);
     fmpq_clear(&f->lift);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         fmpq_clear(f->witness + k);
-        fmpz_clear(f->direction + k);
-        fmpz_clear(f->along[0] + k);
-        fmpz_clear(f->along[1] + k);
-        fmpz_clear(f->open + k);
-        fmpz_clear(f->across + k);
-    }
+    _fmpz_vec_zero(f->direction, 3);
+    _fmpz_vec_zero(f->along[0], 3);
+    _fmpz_vec_zero(f->along[1], 3);
+    _fmpz_vec_zero(f->open, 3);
+    _fmpz_vec_zero(f->across, 3);
 }
 
 topo_witness finding_witness(const topo_finding *f) {

@@ -21,11 +21,10 @@ static void clear_germ(germ *g) {
     germ_drop_root(g);
     if (g->has_time)
         fmpq_clear(&g->time);
-    for (int i = 0; i < 9; i++)
-        fmpz_clear(g->to_body + i);
-    for (int i = 0; i < 6; i++) {
-        fmpz_clear(g->side[i / 3].e + i % 3);
-        fmpz_clear(g->side[i / 3].later + i % 3);
+    _fmpz_vec_zero(g->to_body, 9);
+    for (int k = 0; k < 2; k++) {
+        _fmpz_vec_zero(g->side[k].e, 3);
+        _fmpz_vec_zero(g->side[k].later, 3);
     }
 }
 

@@ -108,17 +108,6 @@ static int form_of_facet(half_germ *out, const open_plane *h, const germ *g,
     return 1;
 }
 
-/* out = a p + b q, for vectors of n rationals. */
-static void combine_ways(fmpq *out, const fmpq_t a, const fmpq *p, const fmpq_t b, const fmpq *q,
-                         slong n) {
-    LOCAL(fmpq, part);
-    for (slong i = 0; i < n; i++) {
-        fmpq_mul(part, a, p + i);
-        fmpq_mul(out + i, b, q + i);
-        fmpq_add(out + i, out + i, part);
-    }
-}
-
 /* Set the form -X L^m / ((r0 N) |r0 N|^(m - 1)), with X = -(r0 of p) x / (first value of p) as
  * `reach` and L = g X + r1 x as `turn`; g, r0 and r1 are those of `both`. */
 static void form_of_ways(half_germ *out, const open_plane *h, const plane_ways *both,
@@ -145,12 +134,13 @@ static void form_of_ways(half_germ *out, const open_plane *h, const plane_ways *
 static int form_of_edge(half_germ *out, const open_plane *h, const germ *g, size_t other,
                         slong order) {
     LOCAL_VEC(fmpz, across, 3);
-    LOCAL(fmpq, a);
     HELD(plane_ways, p, g, 0, order, h->point);
     HELD(plane_ways, q, g, other, order, h->point);
     HELD(plane_ways, both, g, 0, order, h->point);
-    fmpq_neg(a, p.value);
-    combine_ways(both.value, q.value, p.value, a, q.value, WAYS_ENTRIES);
+    for (int k = 0; k < WAYS_ENTRIES; k++) {
+        fmpq_mul(both.value + k, q.value, p.value + k);
+        fmpq_submul(both.value + k, p.value, q.value + k);
+    }
     direction_of_rationals(across, both.normal[0], 3);
     int lies = directions_parallel(across, h->normal);
     if (lies)

@@ -15,19 +15,17 @@ void plane_view_init(plane_view *view) {
 
 void view_set_through(plane_view *view, const fmpq *point, const fmpz *a, const fmpz *b) {
     view->dimension = 3;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         fmpq_set(view->origin + i, point + i);
-        fmpz_set(view->along[0] + i, a + i);
-        fmpz_set(view->along[1] + i, b + i);
-    }
+    _fmpz_vec_set(view->along[0], a, 3);
+    _fmpz_vec_set(view->along[1], b, 3);
 }
 
 void plane_view_clear(plane_view *view) {
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         fmpq_clear(view->origin + i);
-        for (int k = 0; k < 2; k++)
-            fmpz_clear(view->along[k] + i);
-    }
+    for (int k = 0; k < 2; k++)
+        _fmpz_vec_zero(view->along[k], 3);
 }
 
 void view_point(fmpq *out, const plane_view *view, const fmpq *xy) {

@@ -90,30 +90,17 @@ static graze_status stay_below_at_roots(ray_maker *m, const ray_form *form, cons
     return GRAZE_OK;
 }
 
-/* out = a d - b c. */
-static void cross_terms(fmpz_poly_t out, const fmpz_poly_t a, const fmpz_poly_t b,
-                        const fmpz_poly_t c, const fmpz_poly_t d) {
-    LOCAL(fmpz_poly, other);
-    fmpz_poly_mul(out, a, d);
-    fmpz_poly_mul(other, b, c);
-    fmpz_poly_sub(out, out, other);
-}
-
 /* Keep `reach` below places whose trajectories meet the plane at a double root, or at a root that
  * does not depend on s. */
 static graze_status stay_below_plane(ray_maker *m, const ray_form *form,
                                      const dyadic_interval *window) {
-    LOCAL(fmpz_poly, a);
-    LOCAL(fmpz_poly, b);
     LOCAL(fmpz_poly, p);
     HELD(algebraic, any);
     if (is_steady(form)) {
         TRY(stay_below(m, form, &any));
         fmpz_poly_set(p, form->common);
     } else {
-        fmpz_poly_derivative(a, form->at);
-        fmpz_poly_derivative(b, form->slope);
-        cross_terms(p, a, b, form->at, form->slope);
+        wronskian(p, form->slope, form->at);
     }
     return stay_below_at_roots(m, form, p, window);
 }

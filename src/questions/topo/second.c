@@ -75,8 +75,7 @@ void plane_gap_init(plane_gap *gap) {
 
 void plane_gap_clear(plane_gap *gap) {
     fmpq_clear(&gap->lift);
-    for (int k = 0; k < 3; k++)
-        fmpz_clear(gap->along + k);
+    _fmpz_vec_zero(gap->along, 3);
 }
 
 /* Evaluate the form of a germ at the direction of the gap. */
@@ -319,13 +318,11 @@ static graze_status keep_gap(const second_maker *m, const fmpq_t low, algebraic 
 /* Look between two successive parameters, and at the second one. */
 static graze_status look_from_to(int *out, const second_maker *m, algebraic *from, algebraic *to) {
     int sign = 0;
-    LOCAL(fmpq, between);
     HELD(algebraic, middle);
-    TRY(algebraic_between(between, m->context, from, to));
-    algebraic_set_rational(&middle, between);
+    TRY(algebraic_between(middle.value, m->context, from, to));
     TRY(look_at_slope(out, &sign, m, &middle));
     if (sign < 0 || (sign == 0 && !m->gap->order))
-        TRY(keep_gap(m, between, to));
+        TRY(keep_gap(m, middle.value, to));
     return look_at_end(out, m, to);
 }
 

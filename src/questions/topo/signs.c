@@ -101,10 +101,7 @@ static graze_status set_values(root_sweep *s, const fmpz *direction) {
  * at s = -at_j / way_j, times `side`. */
 static graze_status compare_crossing_places(int *out, root_sweep *s, int side, size_t j, size_t k) {
     LOCAL(fmpz_poly, a);
-    LOCAL(fmpz_poly, b);
-    fmpz_poly_mul(a, s->at + k, s->way + j);
-    fmpz_poly_mul(b, s->at + j, s->way + k);
-    fmpz_poly_sub(a, a, b);
+    cross_terms(a, s->at + k, s->at + j, s->way + k, s->way + j);
     TRY(algebraic_sign_at(out, s->context, a, &s->g->root->time));
     *out *= side * s->way_sign[j] * s->way_sign[k];
     return GRAZE_OK;
@@ -200,10 +197,8 @@ static graze_status look_at_time(int *covered, local_cone *cone, graze_context *
 static graze_status look_between(int *covered, local_cone *cone, graze_context *context,
                                  const fmpz_poly_struct *p, signed char *sign, algebraic *from,
                                  algebraic *to) {
-    LOCAL(fmpq, u);
     HELD(algebraic, middle);
-    TRY(algebraic_between(u, context, from, to));
-    algebraic_set_rational(&middle, u);
+    TRY(algebraic_between(middle.value, context, from, to));
     return look_at_time(covered, cone, context, p, sign, &middle);
 }
 
@@ -236,14 +231,12 @@ graze_status signs_cover_in_turn(int *covered, turning_stretch *t, germ *g, graz
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a contact");
     LOCAL(fmpz_poly, product);
     fmpz_poly_set_ui(product, 1);
-    HELD(dyadic_interval, piece);
-    dyadic_interval_set_si(&piece, 0, 1);
     HELD(algebraic_list, roots);
     for (size_t j = 0; j < n; j++) {
         signs_pull_back(p + j, g->map, cone->normal + j * (size_t)cone->dimension, direction);
         if (!fmpz_poly_is_zero(p + j))
             fmpz_poly_mul(product, product, p + j);
     }
-    TRY(algebraic_roots(&roots, context, product, &piece));
+    TRY(algebraic_roots(&roots, context, product, &unit_interval));
     return look_at_roots(covered, t, cone, context, p, sign, &roots);
 }
