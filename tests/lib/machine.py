@@ -8,6 +8,7 @@ import os
 import pty
 import shutil
 import subprocess
+import tempfile
 
 import harness
 
@@ -57,12 +58,19 @@ def has_no_network():
     return done.returncode != 0 and "network interfaces" in done.stdout + done.stderr
 
 
+@functools.lru_cache
+def sessions():
+    """A folder for those that mpirun makes: two that begin at once fail where both would make one of the same name."""
+    return tempfile.TemporaryDirectory(prefix="graze-mpi-")
+
+
 def ranks(checks, graze, count):
-    """The words that start graze-mpi with this number of ranks, for MPI_ENVIRONMENT, or None and a skip."""
+    """The words that start graze-mpi with this number of ranks, for MPI_ENVIRONMENT, or None and a skip. Each call is for one run."""
     if not shutil.which("mpirun") or not os.path.exists(graze + "-mpi"):
         checks.skip("mpi", "Open MPI is not installed")
     elif has_no_network():
         checks.skip("mpi-network", "there is no network interface")
     else:
-        return ["mpirun", "-n", str(count), "--oversubscribe", graze + "-mpi"]
+        own = tempfile.mkdtemp(dir=sessions().name)
+        return ["mpirun", "--mca", "orte_tmpdir_base", own, "-n", str(count), "--oversubscribe", graze + "-mpi"]
     return None
