@@ -14,8 +14,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
-# Functions without a format attribute whose literal is (part of) a message.
-PLAIN = ("context_limit",)
+# Functions without a format attribute, and macros, whose literal is (part of) a message.
+PLAIN = ("context_limit", "table_fail")
 
 # Functions with a format attribute that are no messages.
 SILENT = ("text_format", "output_format", "few_add")

@@ -18,10 +18,13 @@ int array_reserve(void *items, size_t *capacity, size_t count, size_t size);
 graze_status array_grow(graze_context *context, void *items, size_t *capacity, size_t count,
                         size_t size, const char *what);
 
+/** array_grow for an array and its capacity. */
+#define ARRAY_GROW(context, array, capacity, count, what)                                          \
+    array_grow(context, &(array), &(capacity), count, sizeof *(array), what)
+
 /** Make room for one more entry of a list with the members item, count and capacity. */
 #define LIST_GROW(context, list, what)                                                             \
-    array_grow(context, &(list)->item, &(list)->capacity, (list)->count + 1, sizeof *(list)->item, \
-               what)
+    ARRAY_GROW(context, (list)->item, (list)->capacity, (list)->count + 1, what)
 
 /** A comparison function as qsort takes it. */
 typedef int array_order(const void *left, const void *right);

@@ -241,6 +241,20 @@ graze_status context_at(graze_context *context, graze_status status, const char 
     return status;
 }
 
+graze_status context_array(graze_context *context, void *array, size_t count, size_t size,
+                           const char *what, ...) {
+    char text[128];
+    va_list arguments;
+    void *made = calloc(count ? count : 1, size);
+    memcpy(array, &made, sizeof made);
+    if (made)
+        return GRAZE_OK;
+    va_start(arguments, what);
+    vsnprintf(text, sizeof text, what, arguments);
+    va_end(arguments);
+    return context_fail(context, GRAZE_ESYSTEM, "out of memory for %s", text);
+}
+
 graze_status context_limit(graze_context *context, graze_limit limit, const char *what) {
     return context_fail(context, GRAZE_ELIMIT, "%s: more than the limit %s=%lu allows", what,
                         limit_table[limit].name, context->limits[limit]);

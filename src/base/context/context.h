@@ -63,6 +63,15 @@ graze_status context_item(graze_context *context, graze_status status, const cha
 graze_status context_at(graze_context *context, graze_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+/** Make a malloc'ed array of `count` zeroed entries; NULL on failure.
+ * @return GRAZE_ESYSTEM; the message is "out of memory for " and the formatted text */
+graze_status context_array(graze_context *context, void *array, size_t count, size_t size,
+                           const char *what, ...) __attribute__((format(printf, 5, 6)));
+
+/** context_array for a pointer; behind the count stands the formatted text. */
+#define MAKE_ARRAY(context, array, count, ...)                                                     \
+    context_array(context, &(array), count, sizeof *(array), __VA_ARGS__)
+
 /** Fail with GRAZE_ELIMIT; the message says that `what` exceeds the limit and gives the limit's
  * name and value. */
 graze_status context_limit(graze_context *context, graze_limit limit, const char *what);

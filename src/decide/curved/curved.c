@@ -97,9 +97,8 @@ static graze_status walk_pieces(tracer *r, word_builder *word) {
     ZEROED(walker, w);
     size_t n = r->scene->solid->curved->surface_count;
     TRY(walker_init(&w, r, word));
-    FREED(candidate, all, malloc((n + 1) * sizeof *all));
-    if (!all)
-        return context_fail(r->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces", n);
+    FREED(candidate, all, NULL);
+    TRY(MAKE_ARRAY(r->context, all, n + 1, "%zu surfaces", n));
     for (size_t k = 0; k < n; k++)
         all[k] = (candidate){.simplex = (uint32_t)k};
     for (size_t k = 0; k < r->scene->motion->piece_count; k++)

@@ -71,12 +71,9 @@ graze_status pullback_surface(fmpz_poly_t out, graze_context *context, const tra
 graze_status pullbacks_init(pullbacks *p, graze_context *context, const csg *solid) {
     *p = (pullbacks){.context = context, .solid = solid};
     algebraic_list_init(&p->time);
-    p->form = calloc(solid->surface_count + 1, sizeof *p->form);
-    p->slide = malloc((solid->surface_count + 1) * sizeof *p->slide);
-    return p->form && p->slide
-               ? GRAZE_OK
-               : context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu surfaces",
-                              solid->surface_count);
+    size_t n = solid->surface_count;
+    TRY(MAKE_ARRAY(context, p->form, n + 1, "%zu surfaces", n));
+    return MAKE_ARRAY(context, p->slide, n + 1, "%zu surfaces", n);
 }
 
 void pullbacks_clear(pullbacks *p) {
@@ -94,8 +91,8 @@ void pullbacks_clear(pullbacks *p) {
 static graze_status add_roots(pullbacks *p, size_t surface, const dyadic_interval *unit) {
     size_t first = p->time.count;
     TRY(algebraic_roots(&p->time, p->context, &p->form[surface], unit));
-    TRY(array_grow(p->context, &p->zero, &p->zero_capacity, p->zero_count + p->time.count - first,
-                   sizeof *p->zero, "the roots of a trajectory"));
+    TRY(ARRAY_GROW(p->context, p->zero, p->zero_capacity, p->zero_count + p->time.count - first,
+                   "the roots of a trajectory"));
     for (size_t k = first; k < p->time.count; k++)
         p->zero[p->zero_count++] = (zero){k, surface};
     return GRAZE_OK;
@@ -109,11 +106,10 @@ static int compare_zeros(const void *left, const void *right) {
 
 static graze_status rank_zeros(pullbacks *p) {
     size_t n = p->time.count;
-    FREED(size_t, rank_of, malloc(n * sizeof *rank_of));
+    FREED(size_t, rank_of, NULL);
+    TRY(MAKE_ARRAY(p->context, rank_of, n, "a list of %zu times", n));
     free(p->by_rank);
-    p->by_rank = malloc(n * sizeof(algebraic *));
-    if (!p->by_rank || !rank_of)
-        return context_fail(p->context, GRAZE_ESYSTEM, "out of memory for a list of %zu times", n);
+    TRY(MAKE_ARRAY(p->context, p->by_rank, n, "a list of %zu times", n));
     for (size_t k = 0; k < n; k++)
         p->by_rank[k] = &p->time.item[k];
     p->rank_count = n;
@@ -127,7 +123,7 @@ static graze_status rank_zeros(pullbacks *p) {
 
 /* The surfaces of a window, each once, in order. */
 static graze_status ask_surfaces(pullbacks *p, const exact_window *window, const candidate *asked) {
-    TRY(array_grow(p->context, &p->asked, &p->asked_capacity, window->count + 1, sizeof *p->asked,
+    TRY(ARRAY_GROW(p->context, p->asked, p->asked_capacity, window->count + 1,
                    "the surfaces of a window"));
     for (size_t k = 0; k < window->count; k++)
         p->asked[k] = asked[k].simplex;

@@ -7,11 +7,9 @@
 
 graze_status expression_init(expression *e, graze_context *context, const csg *solid) {
     *e = (expression){.solid = solid, .context = context};
-    e->sign = malloc(solid->surface_count + 1);
-    if (!e->sign)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu signs",
-                            solid->surface_count);
-    memset(e->sign, 1, solid->surface_count + 1);
+    size_t n = solid->surface_count;
+    TRY(MAKE_ARRAY(context, e->sign, n + 1, "%zu signs", n));
+    memset(e->sign, 1, n + 1);
     return GRAZE_OK;
 }
 
@@ -46,8 +44,8 @@ graze_status expression_ask(dependence *out, expression *e, const size_t *surfac
     *out = (dependence){.asked = surface, .asked_count = count, .too_many = count > CSG_FREE_MOST};
     if (out->too_many)
         return GRAZE_OK;
-    TRY(array_grow(e->context, &e->work, &e->room, e->solid->node_count * csg_table_words(n),
-                   sizeof *e->work, "the nodes of a solid"));
+    TRY(ARRAY_GROW(e->context, e->work, e->room, e->solid->node_count * csg_table_words(n),
+                   "the nodes of a solid"));
     for (int k = 0; k < n; k++) {
         kept[k] = e->sign[surface[k]];
         e->sign[surface[k]] = (signed char)(2 + k);

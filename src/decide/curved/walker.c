@@ -161,10 +161,8 @@ static graze_status walk_slide(walker *w, algebraic *low, algebraic *high);
 /* Walk the parts of a gap that is cut. */
 static graze_status walk_parts(walker *w, algebraic_list *cuts, algebraic *low, algebraic *high) {
     size_t count = cuts->count;
-    FREED(algebraic *, order, malloc(count * sizeof(algebraic *)));
-    if (!order)
-        return context_fail(w->r->context, GRAZE_ESYSTEM, "out of memory for a list of %zu times",
-                            count);
+    FREED(algebraic *, order, NULL);
+    TRY(MAKE_ARRAY(w->r->context, order, count, "a list of %zu times", count));
     for (size_t k = 0; k < count; k++)
         order[k] = &cuts->item[k];
     TRY(algebraic_sort_once(order, &count, w->r->context, NULL, NULL));

@@ -69,9 +69,7 @@ static int order_of_sides(const void *a, const void *b) {
 graze_status mesh_sides(mesh_side **out, size_t *count, const mesh *m) {
     const soup *f = &m->now.of;
     *count = 0;
-    *out = malloc((f->index_count + 1) * sizeof **out);
-    if (!*out)
-        return context_fail(m->context, GRAZE_ESYSTEM, "out of memory for the sides of facets");
+    TRY(MAKE_ARRAY(m->context, *out, f->index_count + 1, "the sides of facets"));
     for (size_t k = 0; k < f->cycle_count; k++)
         for (size_t c = f->cycle_start[k]; c < f->cycle_start[k + 1]; c++) {
             uint32_t from = f->index[c];
@@ -115,11 +113,10 @@ static graze_status add_soup_facet(soup *out, const mesh *m, uint32_t *number, s
 graze_status mesh_soup(soup *out, const mesh *m, const size_t *component, size_t wanted,
                        const unsigned char *turned) {
     size_t n = m->input->vertex_count;
-    FREED(uint32_t, number, malloc((n + 1) * sizeof *number));
+    FREED(uint32_t, number, NULL);
     graze_status status = GRAZE_OK;
     soup_init(out, 3);
-    if (!number)
-        return context_fail(m->context, GRAZE_ESYSTEM, "out of memory for %zu vertices", n);
+    TRY(MAKE_ARRAY(m->context, number, n + 1, "%zu vertices", n));
     memset(number, 0xff, (n + 1) * sizeof *number);
     for (size_t f = 0; f < m->now.of.cycle_count && !status; f++)
         if (!component || component[f] == wanted)

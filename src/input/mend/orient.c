@@ -129,9 +129,8 @@ static int is_within_part(const graze_solid *shell, const graze_solid *other) {
 
 /* Turn the shells that are inside an odd number of others. */
 static graze_status turn_cavities(orienter *o) {
-    FREED(unsigned char, odd, calloc(o->shell_count + 1, 1));
-    if (!odd)
-        return context_fail(o->m->context, GRAZE_ESYSTEM, "out of memory for shells");
+    FREED(unsigned char, odd, NULL);
+    TRY(MAKE_ARRAY(o->m->context, odd, o->shell_count + 1, "shells"));
     for (size_t a = 0; a < o->shell_count; a++)
         for (size_t b = 0; b < o->shell_count; b++) {
             TRY(context_poll(o->m->context));
@@ -170,9 +169,7 @@ static graze_status orient_shells(orienter *o) {
                             "the facets make %zu shells, which are not oriented; expected at most "
                             "%d to orient",
                             o->shell_count, SHELLS_MOST);
-    o->solid = calloc(o->shell_count + 1, sizeof *o->solid);
-    if (!o->solid)
-        return context_fail(o->m->context, GRAZE_ESYSTEM, "out of memory for shells");
+    TRY(MAKE_ARRAY(o->m->context, o->solid, o->shell_count + 1, "shells"));
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < o->shell_count && !status; k++)
         status = make_shell(o, k);

@@ -35,9 +35,7 @@ static int order_along_x(const void *a, const void *b, void *data) {
 static graze_status find_ends(splitter *s) {
     size_t n = 0;
     TRY(mesh_sides(&s->side, &s->side_count, s->m));
-    s->end = malloc((2 * s->side_count + 1) * sizeof *s->end);
-    if (!s->end)
-        return context_fail(s->m->context, GRAZE_ESYSTEM, "out of memory for edges");
+    TRY(MAKE_ARRAY(s->m->context, s->end, 2 * s->side_count + 1, "edges"));
     for (size_t first = 0, end; first < s->side_count; first = end) {
         end = mesh_edge_end(s->side, s->side_count, first);
         if ((end - first) % 2) {
@@ -93,8 +91,7 @@ static graze_status add_insertions(splitter *s, size_t first, size_t end, uint32
     const mesh *m = s->m;
     few_add(&s->split, "%u-%u at vertex %u", s->side[first].low, s->side[first].high, vertex);
     for (size_t k = first; k < end; k++) {
-        TRY(array_grow(m->context, &s->made, &s->made_capacity, s->made_count + 1, sizeof *s->made,
-                       "a solid"));
+        TRY(ARRAY_GROW(m->context, s->made, s->made_capacity, s->made_count + 1, "a solid"));
         s->made[s->made_count++] = (insertion){s->side[k].corner, vertex};
     }
     return GRAZE_OK;

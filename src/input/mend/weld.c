@@ -37,12 +37,9 @@ static graze_status welder_init(welder *w, mesh *m, const fmpq_t distance) {
                   .nearest = number + 2,
                   .length = number + 3};
     fmpq_mul(w->square, distance, distance);
-    w->stays = malloc((n + 1) * sizeof *w->stays);
-    w->to = malloc((n + 1) * sizeof *w->to);
-    w->used = calloc(n + 1, 1);
-    return w->stays && w->to && w->used
-               ? GRAZE_OK
-               : context_fail(m->context, GRAZE_ESYSTEM, "out of memory for %zu vertices", n);
+    TRY(MAKE_ARRAY(m->context, w->stays, n + 1, "%zu vertices", n));
+    TRY(MAKE_ARRAY(m->context, w->to, n + 1, "%zu vertices", n));
+    return MAKE_ARRAY(m->context, w->used, n + 1, "%zu vertices", n);
 }
 
 static void welder_clear(welder *w) {

@@ -86,8 +86,7 @@ static int place_order(const void *left, const void *right) {
 /* Append the point of a line at a place. */
 static graze_status append_place(flat_points *p, flat_walk *w, const fmpz *line, const fmpz *foot,
                                  const fmpq *place) {
-    TRY(array_grow(w->context, &p->at, &p->capacity, 3 * p->count + 3, sizeof *p->at,
-                   "the vertices of a solid"));
+    TRY(ARRAY_GROW(w->context, p->at, p->capacity, 3 * p->count + 3, "the vertices of a solid"));
     fmpq *x = p->at + 3 * p->count++;
     for (int i = 0; i < 3; i++) {
         fmpq_init(x + i);
@@ -104,9 +103,8 @@ static graze_status add_line(flat_edges *out, flat_points *points, flat_walk *w,
                              const flat_piece *piece, size_t count) {
     const fmpz *line = w->lines.item + LINE_FORM * piece->line;
     LOCAL_VEC(fmpz, foot, 4);
-    FREED(const fmpq *, place, malloc(2 * count * sizeof *place));
-    if (!place)
-        return context_fail(w->context, GRAZE_ESYSTEM, "out of memory for %zu edges", count);
+    FREED(const fmpq *, place, NULL);
+    TRY(MAKE_ARRAY(w->context, place, 2 * count, "%zu edges", count));
     for (size_t k = 0; k < count; k++) {
         place[2 * k] = &piece[k].from;
         place[2 * k + 1] = &piece[k].to;
@@ -138,11 +136,10 @@ static int point_order(const void *left, const void *right) {
 /* Number the vertices. */
 static graze_status number_points(flat_points *p, graze_context *context) {
     size_t n = p->count;
-    FREED(const fmpq *, entry, malloc((n + 1) * sizeof *entry));
-    p->number = malloc((n + 1) * sizeof *p->number);
-    p->first = malloc((n + 1) * sizeof *p->first);
-    if (!entry || !p->number || !p->first)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu vertices", n);
+    FREED(const fmpq *, entry, NULL);
+    TRY(MAKE_ARRAY(context, entry, n + 1, "%zu vertices", n));
+    TRY(MAKE_ARRAY(context, p->number, n + 1, "%zu vertices", n));
+    TRY(MAKE_ARRAY(context, p->first, n + 1, "%zu vertices", n));
     for (size_t k = 0; k < n; k++)
         entry[k] = p->at + 3 * k;
     qsort(entry, n, sizeof *entry, point_order);

@@ -34,9 +34,8 @@ static graze_status close_path(flat_paths *out, graze_context *context, numbers 
 static graze_status find_paths(flat_paths *out, graze_context *context, const flat_edge *edges,
                                size_t count, size_t *place) {
     ZEROED(numbers, path);
-    FREED(char, used, calloc(count, 1));
-    if (!used)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu edges", count);
+    FREED(char, used, NULL);
+    TRY(MAKE_ARRAY(context, used, count, "%zu edges", count));
     for (size_t k = 0; k < count; k++) {
         size_t at = k;
         /* Each vertex has as many edges from it as to it, so a path ends where it began. */
@@ -83,10 +82,8 @@ graze_status flat_facets(soup *out, flat_walk *w) {
     ZEROED(flat_edges, edges);
     ZEROED(flat_points, points);
     TRY(flat_edges_find(&edges, &points, w));
-    FREED(size_t, place, calloc(points.vertices + 1, sizeof *place));
-    if (!place)
-        return context_fail(w->context, GRAZE_ESYSTEM, "out of memory for %zu vertices",
-                            points.vertices);
+    FREED(size_t, place, NULL);
+    TRY(MAKE_ARRAY(w->context, place, points.vertices + 1, "%zu vertices", points.vertices));
     for (size_t v = 0; v < points.vertices; v++)
         TRY(soup_add_vertex(out, w->context, points.at + 3 * points.first[v]));
     for (size_t k = 0, end; k < edges.count; k = end) {

@@ -223,8 +223,8 @@ static void take_plane(edge_line *e, size_t plane) {
 
 static graze_status store_line(edge_line *e) {
     flat_lines *lines = &e->w->lines;
-    TRY(array_grow(e->w->context, &lines->item, &lines->capacity, LINE_FORM * (lines->count + 1),
-                   sizeof *lines->item, "the edges of a solid"));
+    TRY(ARRAY_GROW(e->w->context, lines->item, lines->capacity, LINE_FORM * (lines->count + 1),
+                   "the edges of a solid"));
     for (int k = 0; k < LINE_FORM; k++)
         fmpz_init_set(lines->item + LINE_FORM * lines->count + k, e->line + k);
     lines->count++;
@@ -350,11 +350,10 @@ graze_status flat_pieces_find(flat_walk *w, const flat_live *live, const double 
     LOCAL_VEC(fmpq, places, (slong)live->planes);
     if (live->planes + 1 < (size_t)w->dimension)
         return GRAZE_OK;
-    FREED(size_t, through, malloc((live->planes + 1) * sizeof *through));
-    FREED(cut, cuts, calloc(live->planes + 1, sizeof *cuts));
-    if (!through || !cuts)
-        return context_fail(w->context, GRAZE_ESYSTEM, "out of memory for %zu planes",
-                            live->planes);
+    FREED(size_t, through, NULL);
+    FREED(cut, cuts, NULL);
+    TRY(MAKE_ARRAY(w->context, through, live->planes + 1, "%zu planes", live->planes));
+    TRY(MAKE_ARRAY(w->context, cuts, live->planes + 1, "%zu planes", live->planes));
     edge_line e = {.w = w,
                    .live = live,
                    .low = low,

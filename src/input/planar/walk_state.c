@@ -40,15 +40,13 @@ static graze_status allocate_walk(flat_walk *w, const csg *solid) {
     w->plane_count = w->added + sides;
     w->node_count = solid->node_count + (sides ? sides + 1 : 0);
     w->form = _fmpz_vec_init((slong)(4 * w->plane_count + 4));
-    w->near = calloc(w->plane_count, 4 * sizeof *w->near);
-    w->node = malloc(w->node_count * sizeof *w->node);
-    w->operand = malloc((solid->operand_count + 2 * sides + 1) * sizeof *w->operand);
-    w->sign = calloc(w->plane_count, 1);
-    w->truth = malloc(w->node_count);
-    w->matters = calloc(w->plane_count + w->node_count, 1);
-    if (!w->near || !w->node || !w->operand || !w->sign || !w->truth || !w->matters)
-        return context_fail(w->context, GRAZE_ESYSTEM, "out of memory for %zu planes",
-                            w->plane_count);
+    size_t n = w->plane_count;
+    TRY(MAKE_ARRAY(w->context, w->near, 4 * n, "%zu planes", n));
+    TRY(MAKE_ARRAY(w->context, w->node, w->node_count, "%zu planes", n));
+    TRY(MAKE_ARRAY(w->context, w->operand, solid->operand_count + 2 * sides + 1, "%zu planes", n));
+    TRY(MAKE_ARRAY(w->context, w->sign, n, "%zu planes", n));
+    TRY(MAKE_ARRAY(w->context, w->truth, w->node_count, "%zu planes", n));
+    TRY(MAKE_ARRAY(w->context, w->matters, n + w->node_count, "%zu planes", n));
     memset(w->truth, UNKNOWN, w->node_count);
     memcpy(w->node, solid->node, solid->node_count * sizeof *w->node);
     memcpy(w->operand, solid->operand, solid->operand_count * sizeof *w->operand);

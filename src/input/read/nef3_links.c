@@ -149,12 +149,13 @@ static int tick_points(const nef *n, unsigned char *met, nef_list list, size_t s
     return 1;
 }
 
-/* The index of the first item that was not met; `count` if all were met. */
-static size_t first_left(const unsigned char *met, size_t count) {
-    size_t k = 0;
-    while (k < count && met[k])
-        k++;
-    return k;
+/* Refuse the first item of a part that was not met. */
+static graze_status check_met(const nef *n, int part, const unsigned char *met, const char *what,
+                              const char *reason) {
+    for (size_t k = 0; k < n->count[part]; k++)
+        if (!met[k])
+            return wrong_link(n, what, k, reason);
+    return GRAZE_OK;
 }
 
 static int planes_opposite(const fmpz *p, const fmpz *q) {
@@ -187,13 +188,8 @@ static graze_status check_halffacets(const nef *n, unsigned char *arc, unsigned 
             return wrong_link(n, "half-facet", f,
                               "its cycles are none, another facet's, or listed twice");
     }
-    size_t left = first_left(arc, n->count[NEF_SHALFEDGE]);
-    if (left < n->count[NEF_SHALFEDGE])
-        return wrong_link(n, "shalfedge", left, "no half-facet lists its cycle");
-    left = first_left(loop, n->count[NEF_SHALFLOOP]);
-    return left == n->count[NEF_SHALFLOOP]
-               ? GRAZE_OK
-               : wrong_link(n, "shalfloop", left, "no half-facet lists it");
+    TRY(check_met(n, NEF_SHALFEDGE, arc, "shalfedge", "no half-facet lists its cycle"));
+    return check_met(n, NEF_SHALFLOOP, loop, "shalfloop", "no half-facet lists it");
 }
 
 static graze_status check_sfaces(const nef *n, unsigned char *arc, unsigned char *loop,
@@ -206,12 +202,8 @@ static graze_status check_sfaces(const nef *n, unsigned char *arc, unsigned char
             !tick_points(n, point, item->point, f))
             return wrong_link(n, "sface", f, "its boundary is another sface's, or listed twice");
     }
-    size_t left = first_left(arc, n->count[NEF_SHALFEDGE]);
-    if (left < n->count[NEF_SHALFEDGE])
-        return wrong_link(n, "shalfedge", left, "no sface lists its cycle");
-    left = first_left(loop, n->count[NEF_SHALFLOOP]);
-    if (left < n->count[NEF_SHALFLOOP])
-        return wrong_link(n, "shalfloop", left, "no sface lists it");
+    TRY(check_met(n, NEF_SHALFEDGE, arc, "shalfedge", "no sface lists its cycle"));
+    TRY(check_met(n, NEF_SHALFLOOP, loop, "shalfloop", "no sface lists it"));
     for (size_t e = 0; e < n->count[NEF_HALFEDGE]; e++)
         if (n->halfedge[e].isolated && !point[e])
             return wrong_link(n, "half-edge", e, "it is isolated, and no sface lists it");

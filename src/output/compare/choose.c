@@ -13,8 +13,8 @@ enum { LONGEST_NUMBER = 40 };
 static graze_status key_of_points(row_key *out, const table *golden, const table *candidate) {
     key_of_axes(out, golden, candidate);
     if (candidate->dimension > golden->dimension)
-        return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
-                               "a column z; expected x and y, as the golden table has dimension 2");
+        return table_fail(candidate, 0,
+                          "a column z; expected x and y, as the golden table has dimension 2");
     return GRAZE_OK;
 }
 
@@ -41,12 +41,12 @@ static graze_status key_of_contacts(row_key *out, const table *golden, const tab
             out->at[axis + 1] = (column)(firsts[k] + axis);
         return GRAZE_OK;
     }
-    return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
-                           "no columns %s that %s has too, and no id; expected one of them, to "
-                           "match contact points by",
-                           dimension == 2 ? "time, bx, by or time, x, y"
-                                          : "time, bx, by, bz or time, x, y, z",
-                           golden->in.name);
+    return table_fail(candidate, 0,
+                      "no columns %s that %s has too, and no id; expected one of them, to match "
+                      "contact points by",
+                      dimension == 2 ? "time, bx, by or time, x, y"
+                                     : "time, bx, by, bz or time, x, y, z",
+                      golden->in.name);
 }
 
 /* Choose the key: `id` if both tables have it; else x, y (and z), else no columns. For contact
@@ -66,11 +66,9 @@ graze_status key_check(const row_key *key, const table *t, const table_row *row)
         field f = table_field(t, row, key->at[k]);
         int time = key->at[k] == COLUMN_TIME;
         if (time ? !moment_is_token(f) : !rational_is_token(f.start, f.length))
-            return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
-                                   "%s: '%.*s' is not a %s; expected one such as %s",
-                                   column_name(key->at[k]), FIELD_SHOWN(f),
-                                   time ? "time" : "number",
-                                   time ? MOMENT_FORMS : "-12, 0.1, 1.5e-3, 22/7");
+            return table_fail(t, row->line, "%s: '%.*s' is not a %s; expected one such as %s",
+                              column_name(key->at[k]), FIELD_SHOWN(f), time ? "time" : "number",
+                              time ? MOMENT_FORMS : "-12, 0.1, 1.5e-3, 22/7");
     }
     return GRAZE_OK;
 }
@@ -145,10 +143,10 @@ static graze_status check_golden(const table *t) {
         return GRAZE_OK;
     if (t->where[COLUMN_PMC] < 0)
         table_meant(meant, t, &pmc, 1);
-    return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, 0,
-                           "has no column %s; expected a table, which graze classify SOLID MOTION "
-                           "POINTS writes%s",
-                           t->where[COLUMN_PMC] < 0 ? "pmc" : "x or no column y", meant);
+    return table_fail(
+        t, 0,
+        "has no column %s; expected a table, which graze classify SOLID MOTION POINTS writes%s",
+        t->where[COLUMN_PMC] < 0 ? "pmc" : "x or no column y", meant);
 }
 
 /* Check that both tables are of one scene and one set of options. */
@@ -158,10 +156,10 @@ static graze_status check_notes(const table *golden, const table *candidate) {
     for (size_t k = 0; k < sizeof same / sizeof *same; k++) {
         const char *g = golden->notes[same[k]], *c = candidate->notes[same[k]];
         if (g && c && strcmp(g, "none") != 0 && strcmp(c, "none") != 0 && strcmp(g, c) != 0)
-            return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
-                                   "%s is %.64s, that of %s is %.64s; expected tables of one "
-                                   "scene and one set of options",
-                                   note_names[same[k]], c, golden->in.name, g);
+            return table_fail(candidate, 0,
+                              "%s is %.64s, that of %s is %.64s; expected tables of one scene and "
+                              "one set of options",
+                              note_names[same[k]], c, golden->in.name, g);
     }
     return GRAZE_OK;
 }
@@ -175,25 +173,22 @@ static graze_status choose_columns(graze_comparison *c, const table *golden,
     char meant[TABLE_MEANT];
     table_meant(meant, candidate, sdf ? answers : answers + 1, sdf ? 1 : 3);
     if (sdf && candidate->where[COLUMN_SDF] < 0)
-        return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
-                               "has no column sdf; expected a signed distance in a column of that "
-                               "name%s",
-                               meant);
+        return table_fail(
+            candidate, 0,
+            "has no column sdf; expected a signed distance in a column of that name%s", meant);
     for (column j = COLUMN_X; j < COLUMN_OPTIONS; j++) {
         if (!judged_of(j, 0))
             continue;
         int answered = candidate->where[j] >= 0;
         c->judged[j] = j == COLUMN_PMC ? answered || sdf : answered && open && !sdf;
         if (c->judged[j] && golden->where[j] < 0)
-            return context_fail_in(golden->in.context, GRAZE_EINPUT, golden->in.name, 0,
-                                   "has no column %s; expected one to judge that of %s by",
-                                   column_name(j), candidate->in.name);
+            return table_fail(golden, 0, "has no column %s; expected one to judge that of %s by",
+                              column_name(j), candidate->in.name);
         any |= c->judged[j];
     }
     if (!any)
-        return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
-                               "has no column that can be judged; expected one of %s%s",
-                               open ? "pmc, class, i, t, word" : "pmc (or sdf)", meant);
+        return table_fail(candidate, 0, "has no column that can be judged; expected one of %s%s",
+                          open ? "pmc, class, i, t, word" : "pmc (or sdf)", meant);
     return values_choose(c, golden);
 }
 

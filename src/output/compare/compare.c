@@ -228,9 +228,9 @@ static graze_status count_all(graze_comparison *c, run *r) {
  */
 static graze_status finish_comparison(graze_comparison *c, const run *r, match_way *better) {
     if (!r->golden.complete)
-        return context_fail_in(r->context, GRAZE_EINPUT, r->golden.in.name, 0,
-                               "ends after %lu rows without `# complete`; expected a whole table",
-                               r->golden.rows);
+        return table_fail(&r->golden, 0,
+                          "ends after %lu rows without `# complete`; expected a whole table",
+                          r->golden.rows);
     *better = match_better(&r->match);
     c->drifted = r->match.drift.rows;
     c->drift = ceiling_of(r->match.drift.farthest);

@@ -207,7 +207,10 @@ static void json_mesh(json_writer *w, const graze_judgement *j) {
     json_bool(w, "closed", m->rule != GRAZE_MESH_NONE);
     json_bool(w, "oriented", m->rule == GRAZE_MESH_WINDING);
     json_count(w, "components", m->cut.component_count);
-    json_text(w, "rule", mesh_rule_name(m->rule));
+    json_text(w, "rule",
+              m->rule == GRAZE_MESH_WINDING  ? "winding"
+              : m->rule == GRAZE_MESH_PARITY ? "parity"
+                                             : "none");
     if (m->rule == GRAZE_MESH_WINDING) {
         json_open(w, "windings", '[');
         json_double(w, NULL, (double)m->least);

@@ -17,9 +17,8 @@ int judged_of(column c, int contacts) {
 
 graze_status judged_no_answer(const table *t, const table_row *row, column c, const char *right) {
     field f = table_field(t, row, c);
-    return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
-                           "%s: '%.*s' is no answer; expected %s", column_name(c), FIELD_SHOWN(f),
-                           right);
+    return table_fail(t, row->line, "%s: '%.*s' is no answer; expected %s", column_name(c),
+                      FIELD_SHOWN(f), right);
 }
 
 static int index_of(field f, const char *const *words, int count) {

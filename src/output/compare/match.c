@@ -105,17 +105,14 @@ static graze_status resynchronise(match *m) {
     return GRAZE_OK;
 }
 
-static void add_key(digest *sum, digest key) {
-    sum->high += key.high;
-    sum->low += key.low;
-}
-
 /* Hand out one row without a counterpart. */
 static graze_status alone(match *m, row_window *w, const table_row **out) {
     table_row *row = row_at(w, 0);
     graze_status status = key_make(row, &m->key, w->table);
     int golden = w == &m->golden;
-    add_key(golden ? &m->missing : &m->extra, row->key);
+    digest *sum = golden ? &m->missing : &m->extra;
+    sum->high += row->key.high;
+    sum->low += row->key.low;
     *(golden ? &m->missing_count : &m->extra_count) += 1;
     size_t *skip = golden ? &m->skip_golden : &m->skip_candidate;
     *skip -= *skip > 0;
@@ -201,15 +198,15 @@ static graze_status unmatched(const match *m) {
     const table *golden = m->golden.table, *candidate = m->candidate.table;
     const char *axes = golden->dimension == 2 ? "x, y" : "x, y, z";
     if (candidate->where[COLUMN_ID] >= 0)
-        return context_fail_in(m->context, GRAZE_EINPUT, golden->in.name, 0,
-                               "%lu rows, and no column id by which they are matched with the %lu "
-                               "of %s, which has no columns %s; expected an id, such columns "
-                               "there, or as many rows",
-                               golden->rows, candidate->rows, candidate->in.name, axes);
-    return context_fail_in(m->context, GRAZE_EINPUT, candidate->in.name, 0,
-                           "%lu rows, and no columns %s or id by which they are matched with "
-                           "the %lu of %s; expected as many, or such columns",
-                           candidate->rows, axes, golden->rows, golden->in.name);
+        return table_fail(
+            golden, 0,
+            "%lu rows, and no column id by which they are matched with the %lu of %s, which has no "
+            "columns %s; expected an id, such columns there, or as many rows",
+            golden->rows, candidate->rows, candidate->in.name, axes);
+    return table_fail(candidate, 0,
+                      "%lu rows, and no columns %s or id by which they are matched with the %lu of "
+                      "%s; expected as many, or such columns",
+                      candidate->rows, axes, golden->rows, golden->in.name);
 }
 
 graze_status match_finish(const match *m) {
@@ -217,23 +214,23 @@ graze_status match_finish(const match *m) {
     if (!m->key.count && golden->rows != candidate->rows)
         return unmatched(m);
     if (!m->pairs && m->missing_count && m->extra_count)
-        return context_fail_in(m->context, GRAZE_EINPUT, candidate->in.name, 0,
-                               "no row is one of %s; expected the same %s; "
-                               "where coordinates were rounded, a comparison that rounds them too "
-                               "(binary64), or a column id in both tables",
-                               golden->in.name,
-                               m->key.by_id                  ? "ids"
-                               : m->key.at[0] == COLUMN_TIME ? "times and points"
-                                                             : "points");
+        return table_fail(
+            candidate, 0,
+            "no row is one of %s; expected the same %s; where coordinates were rounded, a "
+            "comparison that rounds them too (binary64), or a column id in both tables",
+            golden->in.name,
+            m->key.by_id                  ? "ids"
+            : m->key.at[0] == COLUMN_TIME ? "times and points"
+                                          : "points");
     if (m->key.by_id && !drift_is_small(&m->drift))
-        return context_fail_in(m->context, GRAZE_EINPUT, candidate->in.name, 0,
-                               "has other points under the ids of %s; expected the id that stands "
-                               "beside each point",
-                               golden->in.name);
+        return table_fail(
+            candidate, 0,
+            "has other points under the ids of %s; expected the id that stands beside each point",
+            golden->in.name);
     if (m->way == MATCH_STREAMED && another_order(m))
-        return context_fail_in(m->context, GRAZE_EINPUT, candidate->in.name, 0,
-                               "has the rows of %s in another order; expected the same order, or "
-                               "files instead of pipes",
-                               golden->in.name);
+        return table_fail(candidate, 0,
+                          "has the rows of %s in another order; expected the same order, or files "
+                          "instead of pipes",
+                          golden->in.name);
     return GRAZE_OK;
 }

@@ -24,13 +24,13 @@ static size_t find_key(const slots *s, const void *entries, size_t size, digest 
 static graze_status keep_indexed(row_index *x, const table_row *row) {
     graze_context *context = x->table->in.context;
     size_t k = find_key(&x->slots, x->keys, sizeof *x->keys, row->key);
-    TRY(array_grow(context, &x->rows, &x->capacity, x->count + 1, sizeof *x->rows, "rows"));
+    TRY(ARRAY_GROW(context, x->rows, x->capacity, x->count + 1, "rows"));
     if (k != SLOTS_NONE) {
         x->rows[x->keys[k].last].next = x->count;
         x->keys[k].last = x->count;
     } else {
         k = x->slots.count;
-        TRY(array_grow(context, &x->keys, &x->key_capacity, k + 1, sizeof *x->keys, "rows"));
+        TRY(ARRAY_GROW(context, x->keys, x->key_capacity, k + 1, "rows"));
         x->keys[k] = (key_rows){row->key, x->count, x->count};
         if (!slots_add(&x->slots, row->key.low))
             return comparison_no_memory(context);
@@ -164,10 +164,10 @@ static graze_status keep(share *s, const table *t, const table_row *row, uint64_
     if (!e)
         return comparison_no_memory(t->in.context);
     if (e->line && e->answers != answers && (!exact || e->exact != exact))
-        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
-                               "rounding makes this row equal to that of line %lu, whose "
-                               "answer is another; expected points that stay apart",
-                               (unsigned long)e->line);
+        return table_fail(t, row->line,
+                          "rounding makes this row equal to that of line %lu, whose answer is "
+                          "another; expected points that stay apart",
+                          (unsigned long)e->line);
     *e = (entry){row->key, answers, exact, row->line};
     return GRAZE_OK;
 }
@@ -194,9 +194,9 @@ static graze_status pass(share *s, graze_context *context, const char *path, con
 graze_status match_rounding(graze_context *context, const table *golden, const char *path,
                             const row_key *key, const column *columns, size_t count) {
     if (!stream_repeatable(&golden->in))
-        return context_fail_in(context, GRAZE_EINPUT, golden->in.name, 0,
-                               "is read more than once, to check its points after rounding; "
-                               "expected a regular file");
+        return table_fail(
+            golden, 0,
+            "is read more than once, to check its points after rounding; expected a regular file");
     share s = {.passes = 1};
     graze_status status = GRAZE_OK;
     while (!status && s.pass < s.passes) {

@@ -43,6 +43,10 @@ typedef struct table {
     int complete;       /* 1 once `# complete N` has been read, and N is the number of rows */
 } table;
 
+/** Fail with GRAZE_EINPUT at a line of a table, or at none if it is 0. */
+#define table_fail(t, line, ...)                                                                   \
+    context_fail_in((t)->in.context, GRAZE_EINPUT, (t)->in.name, line, __VA_ARGS__)
+
 /** Differences of coordinates over the rows counted so far. Tables are borrowed. */
 typedef struct drift {
     const table *golden, *candidate;

@@ -29,11 +29,10 @@ graze_status sites_known(int *contacts, const table *golden, const table *candid
     table_kind right = table_kind_of(golden), given = table_kind_of(candidate);
     *contacts = right == KIND_CONTACTS;
     if (*contacts ? given == KIND_POINTS : given == KIND_CONTACTS)
-        return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
-                               "has %s, %s has %s; expected two tables of one kind",
-                               *contacts ? "answers of graze classify" : "contact points",
-                               golden->in.name,
-                               *contacts ? "contact points" : "answers of graze classify");
+        return table_fail(candidate, 0, "has %s, %s has %s; expected two tables of one kind",
+                          *contacts ? "answers of graze classify" : "contact points",
+                          golden->in.name,
+                          *contacts ? "contact points" : "answers of graze classify");
     const table *twice = golden->doubled >= 0 ? golden : candidate->doubled >= 0 ? candidate : NULL;
     return *contacts && twice ? table_named_twice(twice, (column)twice->doubled) : GRAZE_OK;
 }
@@ -46,10 +45,9 @@ static graze_status sites_options(const graze_compare_options *o, const table *g
                                           : NULL;
     if (!asked)
         return GRAZE_OK;
-    return context_fail_in(golden->in.context, GRAZE_EINPUT, golden->in.name, 0,
-                           "has contact points, which %s is not for; expected a table of graze "
-                           "classify",
-                           asked);
+    return table_fail(golden, 0,
+                      "has contact points, which %s is not for; expected a table of graze classify",
+                      asked);
 }
 
 graze_status sites_choose(graze_comparison *c, const table *golden, const table *candidate) {
@@ -67,11 +65,11 @@ graze_status sites_choose(graze_comparison *c, const table *golden, const table 
     }
     table_meant(meant, candidate, names, count);
     if (!any)
-        return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
-                               "has no column that can be judged; expected one of cell, role, "
-                               "theta, contact_order, orientation, left, right, trimmed, status, "
-                               "near, near_in, word, shift that %s has too%s",
-                               golden->in.name, meant);
+        return table_fail(candidate, 0,
+                          "has no column that can be judged; expected one of cell, role, theta, "
+                          "contact_order, orientation, left, right, trimmed, status, near, "
+                          "near_in, word, shift that %s has too%s",
+                          golden->in.name, meant);
     return sites_options(&c->options, golden);
 }
 

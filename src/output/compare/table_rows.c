@@ -65,10 +65,10 @@ int digest_equal(digest a, digest b) {
 static graze_status read_complete(table *t, field value) {
     unsigned long count;
     if (!field_count(&count, value, ~0ul) || count != t->rows || t->complete)
-        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
-                               "`# complete %.*s` stands after %lu rows; expected one such "
-                               "line, the last, with their number",
-                               FIELD_SHOWN(value), t->rows);
+        return table_fail(t, t->in.line,
+                          "`# complete %.*s` stands after %lu rows; expected one such line, the "
+                          "last, with their number",
+                          FIELD_SHOWN(value), t->rows);
     t->complete = 1;
     return GRAZE_OK;
 }
@@ -77,8 +77,7 @@ static graze_status read_complete(table *t, field value) {
 static graze_status read_note(table *t, field line) {
     field key, value;
     if (memchr(line.start, '\0', line.length))
-        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
-                               "a byte 0 in a text file");
+        return table_fail(t, t->in.line, "a byte 0 in a text file");
     field_note(&key, &value, line);
     t->sets |= t->columns ? 0 : columns_of_line(line);
     if (field_is(key, "complete"))
@@ -139,8 +138,7 @@ char *table_row_text(const table_row *row) {
 }
 
 graze_status table_named_twice(const table *t, column c) {
-    return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->head,
-                           "the column line names %s twice; expected once", column_name(c));
+    return table_fail(t, t->head, "the column line names %s twice; expected once", column_name(c));
 }
 
 void table_meant(char out[TABLE_MEANT], const table *t, const char *const *names, size_t count) {
@@ -189,8 +187,7 @@ graze_status table_open(table *out, graze_context *context, const char *path) {
     TRY(stream_open(&out->in, context, path));
     TRY(next_table_line(out, &row, &more));
     if (!more)
-        return context_fail_in(context, GRAZE_EINPUT, out->in.name, 0,
-                               "no column line; expected a line of names such as x,y,z,pmc");
+        return table_fail(out, 0, "no column line; expected a line of names such as x,y,z,pmc");
     TRY(fix_columns(out, &row));
     out->names = table_row_text(&row);
     return out->names ? GRAZE_OK : comparison_no_memory(out->in.context);
@@ -208,12 +205,10 @@ graze_status table_next(table *t, table_row *row, int *more) {
     if (!*more)
         return GRAZE_OK;
     if (t->complete)
-        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
-                               "a row after `# complete`; expected that line last");
+        return table_fail(t, t->in.line, "a row after `# complete`; expected that line last");
     if (row->cut.count != t->columns)
-        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
-                               "%zu columns; expected %zu, as on the column line", row->cut.count,
-                               t->columns);
+        return table_fail(t, t->in.line, "%zu columns; expected %zu, as on the column line",
+                          row->cut.count, t->columns);
     t->rows++;
     return GRAZE_OK;
 }

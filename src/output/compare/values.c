@@ -36,14 +36,14 @@ graze_status values_choose(graze_comparison *c, const table *golden) {
                         : o->truth         ? "the question of values outside"
                                            : NULL;
     if (asked && !has)
-        return context_fail_in(context, GRAZE_EINPUT, golden->in.name, 0,
-                               "has no columns sdf_low and sdf_high, which %s needs; expected a "
-                               "table of graze classify --sdf",
-                               asked);
+        return table_fail(golden, 0,
+                          "has no columns sdf_low and sdf_high, which %s needs; expected a table "
+                          "of graze classify --sdf",
+                          asked);
     if (o->truth == GRAZE_TRUTH_OUTSIDE && operation && strcmp(operation, "unsweep") == 0)
-        return context_fail_in(context, GRAZE_EINPUT, golden->in.name, 0,
-                               "has the distances to an unsweep, which outside of it are lower "
-                               "bounds; expected the table of a sweep for values outside");
+        return table_fail(golden, 0,
+                          "has the distances to an unsweep, which outside of it are lower bounds; "
+                          "expected the table of a sweep for values outside");
     c->valued = has && sdf;
     c->enclosed =
         has && (sdf || o->motion_error || golden->sets & columns_known(columns_place("sdf")).bit);
@@ -75,10 +75,10 @@ static graze_status read_enclosure(fmpq *out, const table *t, const table_row *r
     for (int k = 0; k < 2; k++)
         TRY(read_bound(out + k, t, row, column_of("sdf") + (column)k));
     if (!has_sign(out, pmc))
-        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
-                               "sdf_low and sdf_high do not go with `%s`; expected an enclosure "
-                               "of the signed distance",
-                               pmc_words[pmc]);
+        return table_fail(t, row->line,
+                          "sdf_low and sdf_high do not go with `%s`; expected an enclosure of the "
+                          "signed distance",
+                          pmc_words[pmc]);
     return GRAZE_OK;
 }
 

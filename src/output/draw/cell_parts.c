@@ -28,9 +28,7 @@ static int is_at_border(const cells *c, size_t i, size_t j) {
 }
 
 static graze_status choose_split(cells *c, graze_context *context) {
-    c->split = calloc(c->count[0] * c->count[1], sizeof *c->split);
-    if (!c->split)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a picture");
+    TRY(MAKE_ARRAY(context, c->split, c->count[0] * c->count[1], "the cells of a picture"));
     for (size_t j = 0; j < c->count[1] && c->parts > 1; j++)
         for (size_t i = 0; i < c->count[0]; i++)
             if (is_at_border(c, i, j))
@@ -38,10 +36,7 @@ static graze_status choose_split(cells *c, graze_context *context) {
     size_t block = c->parts * c->parts;
     if (c->split_count > context->limits[GRAZE_LIMIT_GRID] / block)
         return context_limit(context, GRAZE_LIMIT_GRID, "the parts of cells of a picture");
-    c->part = calloc(c->split_count * block + 1, 1);
-    return c->part
-               ? GRAZE_OK
-               : context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a picture");
+    return MAKE_ARRAY(context, c->part, c->split_count * block + 1, "the cells of a picture");
 }
 
 /* The tone of a part. Distances are known for cells only: a part with the cell's answer has the

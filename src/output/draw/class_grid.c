@@ -63,9 +63,7 @@ graze_status cells_layout(cells *out, graze_context *context, int dimension, con
     TRY(lay_axis(out, context, 1, low, high));
     if (out->count[0] > context->limits[GRAZE_LIMIT_GRID] / out->count[1])
         return context_limit(context, GRAZE_LIMIT_GRID, "the cells of a picture");
-    if (!(out->tone = calloc(out->count[0] * out->count[1], 1)))
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a picture");
-    return GRAZE_OK;
+    return MAKE_ARRAY(context, out->tone, out->count[0] * out->count[1], "the cells of a picture");
 }
 
 void cells_clear(cells *c) {

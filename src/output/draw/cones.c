@@ -36,8 +36,7 @@ static void cones_maker_clear(cones_maker *m) {
 }
 
 static graze_status add_cone_ring(cones_maker *m, size_t contact, sector_question asked) {
-    TRY(array_grow(m->context, &m->ring, &m->capacity, m->count + 1, sizeof *m->ring,
-                   "the rings of a picture"));
+    TRY(ARRAY_GROW(m->context, m->ring, m->capacity, m->count + 1, "the rings of a picture"));
     m->ring[m->count++] = (ring){contact, asked};
     return GRAZE_OK;
 }

@@ -11,9 +11,7 @@ static graze_status make_positions(picture *p, graze_context *context) {
     const graze_motion *motion = p->scene->motion;
     const graze_solid *solid = p->scene->solid->curved ? &p->made : p->scene->solid;
     unsigned long n = p->request->times;
-    p->moved = calloc(n, sizeof *p->moved);
-    if (!p->moved)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture");
+    TRY(MAKE_ARRAY(context, p->moved, n, "a picture"));
     if (p->scene->solid->curved)
         TRY(eye_solid_make(&p->made, context, p->scene->solid->curved));
     TRY(shape_standing(&p->standing, context, solid));
@@ -39,10 +37,8 @@ static graze_status make_trails(picture *p, graze_context *context) {
     shape_extent(&solid, &p->standing, &plane);
     shape_extent(&solid, &p->standing, &side);
     double fineness = fmax(solid.high[0] - solid.low[0], solid.high[1] - solid.low[1]) / 2000;
-    p->trails = calloc(request->point_count + 1, sizeof *p->trails);
-    p->points = calloc(request->point_count + 1, 3 * sizeof *p->points);
-    if (!p->trails || !p->points)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture");
+    TRY(MAKE_ARRAY(context, p->trails, request->point_count + 1, "a picture"));
+    TRY(MAKE_ARRAY(context, p->points, 3 * (request->point_count + 1), "a picture"));
     for (size_t k = 0; k < request->point_count; k++) {
         const fmpq *point = request->points + k * d;
         for (size_t i = 0; i < d; i++)

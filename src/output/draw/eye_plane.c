@@ -111,13 +111,9 @@ typedef struct outliner {
 } outliner;
 
 static graze_status prepare_outline(outliner *o, const csg *solid) {
-    graze_status status = eye_field_make(&o->field, o->context, solid);
-    o->inside = calloc(ACROSS * ACROSS, 1);
-    o->crossing = calloc(2 * ACROSS * ACROSS, sizeof *o->crossing);
-    if (!status && (!o->inside || !o->crossing))
-        status =
-            context_fail(o->context, GRAZE_ESYSTEM, "out of memory for a picture of the solid");
-    return status;
+    TRY(eye_field_make(&o->field, o->context, solid));
+    TRY(MAKE_ARRAY(o->context, o->inside, ACROSS * ACROSS, "a picture of the solid"));
+    return MAKE_ARRAY(o->context, o->crossing, 2 * ACROSS * ACROSS, "a picture of the solid");
 }
 
 /* Coordinate `axis` of a lattice corner. Corners are a little off the ends of the box. */
@@ -138,8 +134,7 @@ static graze_status find_side_point(uint32_t *out, outliner *o, size_t i, size_t
     double from = 0, to = 1;
     int begins = o->inside[j * ACROSS + i];
     if (!*known) {
-        TRY(array_grow(o->context, &o->out->low, &o->room, 2 * n + 2, sizeof *o->out->low,
-                       "an outline"));
+        TRY(ARRAY_GROW(o->context, o->out->low, o->room, 2 * n + 2, "an outline"));
         double at[2] = {(double)i, (double)j};
         for (int k = 0; k < HALVINGS; k++) {
             double middle = (from + to) / 2;
@@ -169,8 +164,7 @@ static graze_status add_square(outliner *o, size_t i, size_t j) {
             TRY(find_side_point(&vertex[count++], o, a, b, up));
     }
     for (size_t k = 0; k + 1 < count; k += 2) {
-        TRY(array_grow(o->context, &cut->item, &o->item_room, cut->count + 1, sizeof *cut->item,
-                       "an outline"));
+        TRY(ARRAY_GROW(o->context, cut->item, o->item_room, cut->count + 1, "an outline"));
         cut->item[cut->count++] = (simplex){.vertex = {vertex[k], vertex[k + 1], 0}};
     }
     return GRAZE_OK;

@@ -49,7 +49,10 @@ static int holds_in(surface_maker *m, const double at[3]) {
 
 /* Corners at the lattice's border lie outside the box, so that sides there are never crossed. */
 static graze_status mark_corners(surface_maker *m) {
+    const size_t corners = (size_t)ALONG * ALONG * ALONG;
     size_t at[3];
+    TRY(MAKE_ARRAY(m->context, m->inside, corners, "a picture of the solid"));
+    TRY(MAKE_ARRAY(m->context, m->vertex, corners, "a picture of the solid"));
     for (at[2] = 1; at[2] < ALONG - 1; at[2]++)
         for (at[1] = 1; at[1] < ALONG - 1; at[1]++) {
             for (at[0] = 1; at[0] < ALONG - 1; at[0]++)
@@ -89,8 +92,7 @@ static graze_status add_crossing(uint32_t *vertex, surface_maker *m, const size_
                                  const double place[3], const double normal[3]) {
     uint32_t *known = &m->vertex[cell_index(cell)];
     if (!*known) {
-        TRY(array_grow(m->context, &m->met, &m->room, m->count + 1, sizeof *m->met,
-                       "a surface for the eye"));
+        TRY(ARRAY_GROW(m->context, m->met, m->room, m->count + 1, "a surface for the eye"));
         m->met[m->count] = (crossings){
             .cell = {(unsigned char)cell[0], (unsigned char)cell[1], (unsigned char)cell[2]}};
         *known = (uint32_t)++m->count;
@@ -119,8 +121,7 @@ static graze_status add_side(surface_maker *m, const size_t at[3], int axis) {
     double place[3], normal[3];
     uint32_t corner[4];
     cross_side(place, normal, m, at, axis);
-    TRY(array_grow(m->context, &cut->item, &m->item_room, cut->count + 2, sizeof *cut->item,
-                   "a surface for the eye"));
+    TRY(ARRAY_GROW(m->context, cut->item, m->item_room, cut->count + 2, "a surface for the eye"));
     for (int k = 0; k < 4; k++) {
         size_t cell[3] = {at[0], at[1], at[2]};
         cell[u] -= turn[k][0];
@@ -171,9 +172,7 @@ static void solve_cell(double out[3], const crossings *met) {
 
 static graze_status put_cell_vertices(surface_maker *m) {
     graze_solid *out = m->out;
-    out->low = malloc((m->count + 1) * 3 * sizeof *out->low);
-    if (!out->low)
-        return context_fail(m->context, GRAZE_ESYSTEM, "out of memory for a picture of the solid");
+    TRY(MAKE_ARRAY(m->context, out->low, (m->count + 1) * 3, "a picture of the solid"));
     for (size_t k = 0; k < m->count; k++) {
         double at[3];
         solve_cell(at, &m->met[k]);
@@ -187,17 +186,12 @@ static graze_status put_cell_vertices(surface_maker *m) {
 
 static graze_status surface_make(graze_solid *out, graze_context *context, const csg *solid) {
     surface_maker m = {.context = context, .out = out};
-    const size_t corners = (size_t)ALONG * ALONG * ALONG;
     for (int k = 0; k < 3; k++) {
         double high = fmpq_get_d(&solid->box.high[k]);
         m.low[k] = fmpq_get_d(&solid->box.low[k]);
         m.step[k] = (high - m.low[k]) / (CELLS - 1);
     }
     graze_status status = eye_field_make(&m.field, context, solid);
-    m.inside = calloc(corners, 1);
-    m.vertex = calloc(corners, sizeof *m.vertex);
-    if (!status && (!m.inside || !m.vertex))
-        status = context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture of the solid");
     if (!status)
         status = mark_corners(&m);
     if (!status)

@@ -82,9 +82,7 @@ static graze_status cells_measure(cells *c, graze_context *context, const graze_
     double width = fmpq_get_d(c->side) / FINENESS, most = 0;
     distance found;
     graze_pmc pmc;
-    c->distance = calloc(count, sizeof *c->distance);
-    if (!c->distance)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a picture");
+    TRY(MAKE_ARRAY(context, c->distance, count, "the cells of a picture"));
     LOCAL_VEC(fmpq, point, 3);
     for (size_t k = 0; k < count; k++) {
         cells_place(point, c, 2, 2 * (k % c->count[0]) + 1, 2 * (k / c->count[0]) + 1);

@@ -92,11 +92,9 @@ static void take_edge(edge_list *out, const graze_solid *solid, const shown_edge
 graze_status edges_make(edge_list *out, graze_context *context, const graze_solid *solid) {
     size_t n = solid->cut.count;
     memset(out, 0, sizeof *out);
-    out->sides = calloc(n, 1);
-    out->face = calloc(n, sizeof *out->face);
-    out->item = calloc(3 * n, sizeof *out->item);
-    if (!out->sides || !out->face || !out->item)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the edges of a picture");
+    TRY(MAKE_ARRAY(context, out->sides, n, "the edges of a picture"));
+    TRY(MAKE_ARRAY(context, out->face, n, "the edges of a picture"));
+    TRY(MAKE_ARRAY(context, out->item, 3 * n, "the edges of a picture"));
     for (size_t s = 0; s < n; s++)
         out->face[s] = (uint32_t)s;
     n = list_sides(out->item, solid);

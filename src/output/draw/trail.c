@@ -203,12 +203,9 @@ graze_status trail_make(trail *out, graze_context *context, const graze_scene *s
                         const fmpq *point, double fineness) {
     memset(out, 0, sizeof *out);
     graze_trace trace;
-    graze_status status =
-        classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS);
-    if (status)
-        return status;
+    TRY(classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS));
     out->tone = tone_of(&trace.verdict);
-    status = follow_trace(out, context, scene, point, &trace, fineness);
+    graze_status status = follow_trace(out, context, scene, point, &trace, fineness);
     trace_clear(&trace);
     return status;
 }

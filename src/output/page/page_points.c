@@ -106,11 +106,8 @@ static graze_status put_page_point(page_lists *l, graze_context *context, const 
     int d = scene->motion->dimension;
     const fmpq *point = request->points + k * (size_t)d;
     graze_trace trace;
-    graze_status status =
-        classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS);
-    if (status)
-        return status;
-    status = trace_canonicalise(&trace, context);
+    TRY(classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS));
+    graze_status status = trace_canonicalise(&trace, context);
     int asked = request->point_count <= EXACT_MOST || trace.verdict.pmc == GRAZE_ON ||
                 (request->answers && request->answers[k]);
     int exact = asked && l->exact < EXACT_MOST;

@@ -232,9 +232,8 @@ static graze_status put_outline_vertices(outline_writer *j) {
 }
 
 graze_status outline_json(text *out, graze_context *context, const graze_outline *o) {
-    FREED(size_t, vertex, calloc(o->point_count + 1, sizeof *vertex));
-    if (!vertex)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
+    FREED(size_t, vertex, NULL);
+    TRY(MAKE_ARRAY(context, vertex, o->point_count + 1, "an outline"));
     outline_writer j = {{.out = out}, context, o, vertex};
     int is_sweep = o->scene->options.operation == GRAZE_SWEEP;
     json_open(&j.w, NULL, '{');
@@ -326,9 +325,8 @@ static graze_status put_arc_row(outline_writer *j, size_t number, const size_t *
 
 graze_status outline_csv(text *out, graze_context *context, const graze_outline *o) {
     char *head = NULL;
-    FREED(size_t, ring_of, calloc(o->arc_count + 1, sizeof *ring_of));
-    if (!ring_of)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
+    FREED(size_t, ring_of, NULL);
+    TRY(MAKE_ARRAY(context, ring_of, o->arc_count + 1, "an outline"));
     TRY(report_table_head(&head, context, o->scene, TABLE_ARCS, NULL, NULL));
     text_owned(out, head);
     outline_writer j = {{.out = out}, context, o, NULL};

@@ -126,8 +126,7 @@ static graze_status add_further(const typed_table *t, typed_column *c, field f) 
         }
         if (status == GRAZE_EINPUT && !number)
             status = become_texts(t, c);
-        if (status)
-            return status;
+        TRY(status);
     }
     return add_text(t, c, t->row_count, f);
 }

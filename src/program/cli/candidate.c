@@ -160,10 +160,6 @@ static int wait_for_candidate(double *seconds, const char *name, pid_t child, un
     return EXIT_DONE;
 }
 
-int candidate_tell(const char *name, const char *value) {
-    return setenv(name, value, 1) == 0 ? EXIT_DONE : complain(EXIT_IO, "out of memory");
-}
-
 int candidate_run(double *seconds, char **words, unsigned long timeout, const char *hint) {
     pid_t child;
     int error = start_candidate(&child, words);

@@ -73,12 +73,6 @@ static int compare_page(const char *file, const char *golden, const char *candid
     return draw_compared(file, &l, golden, c);
 }
 
-/* 1 if the tables differ. */
-static int differ(const graze_comparison *c) {
-    graze_comparison_counts n = graze_comparison_count(c);
-    return n.wrong + n.missing + n.extra > 0;
-}
-
 typedef struct compare_options {
     context_options context;
     graze_compare_options compare;
@@ -91,7 +85,8 @@ static int report_comparison(const compare_options *o, graze_context *context,
     FREED(char, report, NULL);
     TRY(complain_of(graze_comparison_report(&report, context, c, o->format), context));
     TRY(output_text(o->output, report));
-    return differ(c) ? EXIT_NO : EXIT_DONE;
+    graze_comparison_counts n = graze_comparison_count(c);
+    return n.wrong + n.missing + n.extra > 0 ? EXIT_NO : EXIT_DONE;
 }
 
 static const option_entry compare_table[] = {

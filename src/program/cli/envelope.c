@@ -113,9 +113,7 @@ static int put_curves(const char *times, graze_context *context, const graze_env
     TRY(put_made(graze_curve_header(&text, context, envelope, NULL), &text, context));
     while (times && !out.error) {
         size_t length = strcspn(times, ",");
-        graze_status read = graze_number_parse(time, context, times, length);
-        if (read)
-            return complain(exit_for(read, EXIT_USAGE), "--at: %s", graze_context_message(context));
+        TRY(numbers_read(&time, context, "--at", times, length, 1));
         TRY(put_curve(&rows, context, envelope, time));
         times = times[length] ? times + length + 1 : NULL;
     }

@@ -39,9 +39,6 @@ typedef struct candidate_paths {
 int candidate_split(char ***words, const char *command, const candidate_paths *paths);
 void candidate_free(char **words);
 
-/** Set a variable of the candidate's environment. EXIT_IO. */
-int candidate_tell(const char *name, const char *value);
-
 /**
  * Run the command in `words` and wait, at most `timeout` seconds. Its standard output goes to the
  * standard error of graze.

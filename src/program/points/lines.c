@@ -10,10 +10,6 @@ const char *result_name(result_kind kind) {
     return kind == RESULT_TABLE ? "table" : "certificate";
 }
 
-const char *result_command(result_kind kind) {
-    return kind == RESULT_TABLE ? "graze classify" : "graze certify";
-}
-
 const char *result_mark(result_kind kind) {
     return kind == RESULT_TABLE ? "# " : "";
 }

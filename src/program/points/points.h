@@ -16,8 +16,6 @@ typedef enum result_kind { RESULT_TABLE, RESULT_CERTIFICATE, RESULT_KINDS } resu
 
 /** "table" or "certificate". */
 const char *result_name(result_kind kind);
-/** The command that writes such a file. */
-const char *result_command(result_kind kind);
 /** The text before the key of a note and of the last line: "# " in a table. */
 const char *result_mark(result_kind kind);
 

@@ -13,11 +13,6 @@ static size_t ring_size(const classify_options *o) {
     return 4 + (size_t)jobs_width(o->threads) * 4 * RUN_ROWS / BLOCK_ROWS;
 }
 
-/* Most rows of a block. Pairs take long, and are written when their block is answered. */
-static unsigned long block_rows(const classify_options *o) {
-    return o->pairs.wanted ? RUN_ROWS : BLOCK_ROWS;
-}
-
 typedef struct run_state {
     loaded l;
     csv *points;
@@ -62,7 +57,8 @@ static int take_block(run_state *s, const classify_options *o, block *b, unsigne
 /* Fill the next block and hand it over. */
 static int fill_ring(run_state *s, const classify_options *o) {
     block *b = s->ring[s->filled % s->ring_size];
-    TRY(take_block(s, o, b, block_rows(o)));
+    /* Pairs take long, and are written when their block is answered. */
+    TRY(take_block(s, o, b, o->pairs.wanted ? RUN_ROWS : BLOCK_ROWS));
     if (b->count) {
         s->filled++;
         jobs_submit(s->jobs, b);

@@ -17,7 +17,7 @@ static int next_line(part *p, field *line) {
 /* The command that writes files such as this part. */
 static const char *command_of(const part *p) {
     int sites = p->head.data && strstr(p->head.data, "\ntime,");
-    return sites ? "graze contact" : result_command(p->kind);
+    return sites ? "graze contact" : p->kind == RESULT_TABLE ? "graze classify" : "graze certify";
 }
 
 static int complain_of_rows(const part *p) {

@@ -92,10 +92,6 @@ static void take(result *t, const char *text, size_t length) {
         t->lines++;
 }
 
-int result_reach(const result *t, const struct recorded *kept) {
-    return kept->length <= t->there;
-}
-
 int result_pass(result *t, const struct recorded *kept, unsigned long rows) {
     char piece[PIECE];
     while (t->sum.length < kept->length) {

@@ -49,7 +49,7 @@ static int open_record(results *out) {
     int there = !status && o->resume && record_read(&out->at, &out->beside);
     for (int kind = 0; kind < RESULT_KINDS; kind++)
         there = there && (!results_wants(out, (result_kind)kind) ||
-                          result_reach(&out->file[kind], &out->at.file[kind]));
+                          out->at.file[kind].length <= out->file[kind].there);
     if (!there)
         memset(&out->at, 0, sizeof out->at);
     if (!status && !o->resume)

@@ -75,9 +75,6 @@ int result_open(result *t, const char *path, const char *resumed);
 /** Write the head or, in a continued file, check it. EXIT_INPUT: the file has another head. */
 int result_begin(result *t, const char *head);
 
-/** 1 if the file has at least kept->length bytes, so that a record may belong to it. */
-int result_reach(const result *t, const struct recorded *kept);
-
 /** Pass over the kept bytes of the file, which have `rows` rows. EXIT_INPUT: they were changed. */
 int result_pass(result *t, const struct recorded *kept, unsigned long rows);
 

@@ -153,10 +153,9 @@ static void bisection_init(bisection *x, struct graze_boundary *b, asker *a) {
 }
 
 graze_status boundary_bisect(graze_context *context, struct graze_boundary *b) {
-    FREED(bisection, members, calloc((size_t)b->threads, sizeof *members));
-    b->shares = calloc(2 * b->vertices.count + 1, sizeof *b->shares);
-    if (!b->shares || !members)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the surface");
+    FREED(bisection, members, NULL);
+    TRY(MAKE_ARRAY(context, members, (size_t)b->threads, "the surface"));
+    TRY(MAKE_ARRAY(context, b->shares, 2 * b->vertices.count + 1, "the surface"));
     for (size_t k = 0; k < 2 * b->vertices.count; k++)
         fmpq_init(b->shares + k);
     for (int k = 0; k < b->threads; k++)

@@ -28,9 +28,7 @@ static graze_status set_box(struct graze_boundary *b, graze_context *context, co
 }
 
 static graze_status set_askers(struct graze_boundary *b, graze_context *context, int threads) {
-    b->askers = calloc((size_t)threads, sizeof *b->askers);
-    if (!b->askers)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the threads of a boundary");
+    TRY(MAKE_ARRAY(context, b->askers, (size_t)threads, "the threads of a boundary"));
     b->threads = threads;
     for (int t = 0; t < threads; t++) {
         b->askers[t].boundary = b;
@@ -44,8 +42,7 @@ static graze_status list_leaves(struct graze_boundary *b, graze_context *context
     for (size_t i = 0; i < b->cell_count; i++) {
         if (b->cells[i].child)
             continue;
-        TRY(array_grow(context, &b->leaves, &capacity, b->leaf_count + 1, sizeof *b->leaves,
-                       "the cells of a boundary"));
+        TRY(ARRAY_GROW(context, b->leaves, capacity, b->leaf_count + 1, "the cells of a boundary"));
         b->leaves[b->leaf_count++] = i;
     }
     return GRAZE_OK;

@@ -62,9 +62,7 @@ static graze_status ask(graze_context *context, struct graze_boundary *b, const 
 /* Make and classify the points of the generator's first rows. */
 static graze_status ask_rows(graze_context *context, struct graze_boundary *b,
                              const graze_generator *generator, unsigned long count) {
-    b->contacts = malloc(count * sizeof *b->contacts);
-    if (!b->contacts)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for contact points");
+    TRY(MAKE_ARRAY(context, b->contacts, count, "contact points"));
     HELD(sample, s);
     for (unsigned long row = 0; row < count; row++) {
         TRY(generator_sample(&s, context, generator, row));

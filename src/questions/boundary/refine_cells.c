@@ -13,7 +13,7 @@
 #include "base/context/scope.h"
 
 static graze_status push_cell(graze_context *context, struct graze_boundary *b, size_t index) {
-    TRY(array_grow(context, &b->work, &b->work_capacity, b->work_count + 1, sizeof *b->work,
+    TRY(ARRAY_GROW(context, b->work, b->work_capacity, b->work_count + 1,
                    "the cells of a boundary"));
     b->work[b->work_count++] = index;
     return GRAZE_OK;
@@ -46,7 +46,7 @@ static graze_status split_cell(graze_context *context, struct graze_boundary *b,
         if (!pmc)
             return GRAZE_OK;
     }
-    TRY(array_grow(context, &b->cells, &b->cell_capacity, b->cell_count + parts, sizeof *b->cells,
+    TRY(ARRAY_GROW(context, b->cells, b->cell_capacity, b->cell_count + parts,
                    "the cells of a boundary"));
     b->cells[index].child = b->cell_count;
     for (unsigned p = 0; p < parts; p++) {
@@ -132,8 +132,7 @@ graze_status boundary_refuse_budget(graze_context *context, const struct graze_b
 }
 
 static graze_status start_cells(graze_context *context, struct graze_boundary *b) {
-    TRY(array_grow(context, &b->cells, &b->cell_capacity, 1, sizeof *b->cells,
-                   "the cells of a boundary"));
+    TRY(ARRAY_GROW(context, b->cells, b->cell_capacity, 1, "the cells of a boundary"));
     memset(b->cells, 0, sizeof *b->cells);
     b->cell_count = 1;
     graze_pmc pmc;

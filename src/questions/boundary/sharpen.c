@@ -50,12 +50,9 @@ static size_t apex_of(const sharpening *s, size_t fan_index) {
 static graze_status keep_fan(sharpening *s, size_t patch, const rim *r, feature *f) {
     struct graze_boundary *b = s->boundary;
     static const char what[] = "the surface";
-    TRY(array_grow(s->context, &s->fans, &s->fan_capacity, s->fan_count + 1, sizeof *s->fans,
-                   what));
-    TRY(array_grow(s->context, &s->rims, &s->rim_capacity, s->rim_count + r->count, sizeof *s->rims,
-                   what));
-    TRY(array_grow(s->context, &b->features, &b->feature_capacity, b->feature_count + 1,
-                   sizeof *b->features, what));
+    TRY(ARRAY_GROW(s->context, s->fans, s->fan_capacity, s->fan_count + 1, what));
+    TRY(ARRAY_GROW(s->context, s->rims, s->rim_capacity, s->rim_count + r->count, what));
+    TRY(ARRAY_GROW(s->context, b->features, b->feature_capacity, b->feature_count + 1, what));
     if (!number_index_add(&s->places, lattice_key(b->cells[b->patches[patch].cell].at), 0))
         return context_fail(s->context, GRAZE_ESYSTEM, "out of memory for the surface");
     s->fans[s->fan_count++] = (fan){patch, s->rim_count, r->count};
@@ -119,8 +116,8 @@ static graze_status try_patch(sharpening *s, size_t patch) {
 
 static graze_status keep_face(sharpening *s, const size_t *corner) {
     size_t d = (size_t)s->boundary->dimension;
-    TRY(array_grow(s->context, &s->corners, &s->corner_capacity, (s->face_count + 1) * d,
-                   sizeof *s->corners, "the surface"));
+    TRY(ARRAY_GROW(s->context, s->corners, s->corner_capacity, (s->face_count + 1) * d,
+                   "the surface"));
     memcpy(s->corners + s->face_count++ * d, corner, d * sizeof *corner);
     return GRAZE_OK;
 }
@@ -268,10 +265,8 @@ graze_status boundary_sharpen(graze_context *context, struct graze_boundary *b) 
     s.boundary = b;
     s.context = context;
     s.count = b->vertices.count;
-    s.tangents = calloc(s.count + 1, sizeof *s.tangents);
-    s.asked = calloc(s.count + 1, 1);
-    if (!s.tangents || !s.asked)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the surface");
+    TRY(MAKE_ARRAY(context, s.tangents, s.count + 1, "the surface"));
+    TRY(MAKE_ARRAY(context, s.asked, s.count + 1, "the surface"));
     TRY(know_tangents(&s));
     for (size_t patch = 0; patch < b->patch_count; patch++)
         TRY(try_patch(&s, patch));

@@ -56,8 +56,8 @@ static int face_side(uint32_t (*face)[3], const uint32_t out[3], int dimension) 
 static graze_status add_face(graze_context *context, struct graze_boundary *b, uint32_t (*face)[3],
                              const uint32_t out[3]) {
     size_t d = (size_t)b->dimension, index[3];
-    TRY(array_grow(context, &b->corners, &b->corner_capacity, (b->face_count + 1) * d,
-                   sizeof *b->corners, "the cells of a boundary"));
+    TRY(ARRAY_GROW(context, b->corners, b->corner_capacity, (b->face_count + 1) * d,
+                   "the cells of a boundary"));
     for (size_t k = 0; k < d; k++)
         TRY(vertex(index + k, context, b, face[k]));
     int turned = face_side(face, out, b->dimension) != (d == 2 ? -1 : 1);
@@ -144,8 +144,8 @@ graze_status boundary_surface(graze_context *context, struct graze_boundary *b) 
         }
         b->closed &= !ends_at_border(b, c);
         if (b->sharp) { /* the faces that are added next belong to the cell's patch */
-            TRY(array_grow(context, &b->patches, &b->patch_capacity, b->patch_count + 1,
-                           sizeof *b->patches, "the cells of a boundary"));
+            TRY(ARRAY_GROW(context, b->patches, b->patch_capacity, b->patch_count + 1,
+                           "the cells of a boundary"));
             b->patches[b->patch_count++] = (cell_faces){i, b->face_count};
         }
         for (int k = 0; k < simplices; k++)

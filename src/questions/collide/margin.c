@@ -234,9 +234,7 @@ graze_status collide_set_clearance(graze_pair *pair, graze_context *context) {
     TRY(collide_set_round(pair, context, SIDE_FIXED));
     if (fmpq_is_zero(pair->distance) && !pair->pair.round[0] && !pair->pair.round[1])
         return GRAZE_OK;
-    pair->clearance = calloc(motion->piece_count, sizeof *pair->clearance);
-    if (!pair->clearance)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the clearance");
+    TRY(MAKE_ARRAY(context, pair->clearance, motion->piece_count, "the clearance"));
     for (size_t k = 0; k < motion->piece_count; k++)
         clearance_init(&pair->clearance[k], pair->distance);
     for (size_t k = 0; k < motion->piece_count; k++)

@@ -21,8 +21,7 @@ void near_list_clear(near_list *list) {
 
 graze_status near_pairs_take(near_list *out, graze_context *context, const solid_pair *pair,
                              const node_list *leaves) {
-    TRY(array_grow(context, &out->item, &out->capacity, leaves->count, sizeof *out->item,
-                   "pairs of simplices"));
+    TRY(ARRAY_GROW(context, out->item, out->capacity, leaves->count, "pairs of simplices"));
     out->count = 0;
     for (size_t k = 0; k < leaves->count; k++)
         out->item[out->count++] =

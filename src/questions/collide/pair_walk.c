@@ -65,8 +65,8 @@ static graze_status add_letter(pair_walk *walk, graze_state state) {
 
 /* Keep a time as the last one. */
 static graze_status keep_time(pair_walk *walk, size_t piece, const algebraic *u) {
-    TRY(array_grow(walk->context, &walk->time, &walk->time_capacity, walk->time_count + 1,
-                   sizeof *walk->time, "the times of a pair"));
+    TRY(ARRAY_GROW(walk->context, walk->time, walk->time_capacity, walk->time_count + 1,
+                   "the times of a pair"));
     TRY(time_make(&walk->last, walk->context, walk->pair->motion, piece, u));
     walk->time[walk->time_count++] = walk->last;
     return GRAZE_OK;
@@ -81,8 +81,8 @@ static graze_status keep_rational(pair_walk *walk, size_t piece, const fmpq_t u)
 /* Begin a contact at the last time, with the cells that meet at a placing. */
 static graze_status open_contact(pair_walk *walk, graze_state left, placing *p,
                                  const near_list *near) {
-    TRY(array_grow(walk->context, &walk->contact, &walk->contact_capacity, walk->contact_count + 1,
-                   sizeof *walk->contact, "the contacts of a pair"));
+    TRY(ARRAY_GROW(walk->context, walk->contact, walk->contact_capacity, walk->contact_count + 1,
+                   "the contacts of a pair"));
     pair_contact *c = &walk->contact[walk->contact_count++];
     *c = (pair_contact){.left = left, .from = walk->last};
     walk->open = 1;

@@ -19,9 +19,7 @@ static graze_status add_base(graze_solid *out, graze_context *context, const csg
 }
 
 static graze_status fill_bases(graze_solid *out, graze_context *context, const csg *of) {
-    out->cut.item = calloc(of->round_count, sizeof *out->cut.item);
-    if (!out->cut.item)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for balls and capsules");
+    TRY(MAKE_ARRAY(context, out->cut.item, of->round_count, "balls and capsules"));
     for (size_t k = 0; k < of->round_count; k++)
         TRY(add_base(out, context, &of->round[k]));
     out->cut.component_count = out->cut.count;
@@ -49,10 +47,8 @@ graze_status collide_set_round(graze_pair *pair, graze_context *context, int sid
         return context_fail(context, GRAZE_EINPUT,
                             "the fixed solid has balls or capsules, and the question is whether "
                             "the moving one stays inside; expected a polygon or a polyhedron");
-    graze_solid *base = calloc(1, sizeof *base);
-    if (!base)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for balls and capsules");
-    pair->base[side] = base;
+    TRY(MAKE_ARRAY(context, pair->base[side], 1, "balls and capsules"));
+    graze_solid *base = pair->base[side];
     soup_init(&base->input, of->dimension);
     *given = base;
     pair->pair.round[side] = of->round;

@@ -50,8 +50,7 @@ static graze_status add_facet_here(place_finder *f, size_t simplex, const fmpz *
     graze_cell name = solid_cell(f->solid, simplex, 0);
     if (is_known(p, &name, outward))
         return GRAZE_OK;
-    TRY(array_grow(f->context, &p->facet, &p->capacity, p->count + 1, sizeof *p->facet,
-                   "the facets at a point"));
+    TRY(ARRAY_GROW(f->context, p->facet, p->capacity, p->count + 1, "the facets at a point"));
     place_facet *made = &p->facet[p->count++];
     *made = (place_facet){.name = name, .simplex = simplex, .form = _fmpz_vec_init(7)};
     made->normal = made->form + 4;
@@ -70,8 +69,8 @@ static graze_status try_simplex(place_finder *f, size_t simplex) {
     int facing = solid_plane(plane, f->solid, simplex);
     if (form_sign(plane, f->x, d) == 0 && solid_holds(&zero, f->solid, simplex, plane, f->x)) {
         name_cell(f, simplex, zero);
-        TRY(array_grow(f->context, &f->simplex, &f->simplex_capacity, f->simplex_count + 1,
-                       sizeof *f->simplex, "the facets at a point"));
+        TRY(ARRAY_GROW(f->context, f->simplex, f->simplex_capacity, f->simplex_count + 1,
+                       "the facets at a point"));
         f->simplex[f->simplex_count++] = simplex;
         _fmpz_vec_scalar_mul_si(plane, plane, d + 1, facing);
         TRY(add_facet_here(f, simplex, plane));

@@ -33,8 +33,7 @@ static graze_status search_around(neighbours *n, size_t index) {
         return search_around(n, node->child + 1);
     }
     n->extent = fmin(n->extent, box_extent(&node->box));
-    TRY(array_grow(n->context, &n->item, &n->capacity, n->count + 1, sizeof *n->item,
-                   "the facets around a point"));
+    TRY(LIST_GROW(n->context, n, "the facets around a point"));
     n->item[n->count++] = node->simplex;
     return GRAZE_OK;
 }

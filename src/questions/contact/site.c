@@ -104,9 +104,7 @@ static void fill_germ(site_germ *germ, const graze_site *s, size_t facet, int si
 }
 
 static graze_status find_germs(graze_site *s, graze_context *context) {
-    s->germ = calloc(2 * s->place.count, sizeof *s->germ);
-    if (!s->germ)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the facets at a point");
+    TRY(MAKE_ARRAY(context, s->germ, 2 * s->place.count, "the facets at a point"));
     sides_add_flows(s->side, s->scene->motion);
     for (size_t j = 0; j < s->place.count; j++)
         for (int k = 0; k < 2; k++)

@@ -73,8 +73,7 @@ static graze_status check_arc(graze_context *context, const arc *a, const carrie
 /* Append an arc; the list takes the maps of `a`, which is left without them. */
 static graze_status keep_arc(arc_maps *g, graze_context *context, arc *a, ulong depth) {
     TRY(context_poll(context));
-    TRY(array_grow(context, &g->arc, &g->arc_capacity, g->arc_count + 1, sizeof *g->arc,
-                   "the maps of a motion"));
+    TRY(ARRAY_GROW(context, g->arc, g->arc_capacity, g->arc_count + 1, "the maps of a motion"));
     g->arc[g->arc_count++] = *a;
     a->tracing = a->placing = (carrier){0};
     g->deepest = depth > g->deepest ? depth : g->deepest;

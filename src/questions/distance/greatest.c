@@ -77,8 +77,7 @@ static double window_most(double *floor, search *s, const point_arc *p,
 }
 
 static graze_status put_aside(search *s, const window_aside *window) {
-    TRY(array_grow(s->context, &s->window, &s->window_capacity, s->window_count + 1,
-                   sizeof *s->window, "a distance"));
+    TRY(ARRAY_GROW(s->context, s->window, s->window_capacity, s->window_count + 1, "a distance"));
     s->window[s->window_count++] = *window;
     return GRAZE_OK;
 }

@@ -22,11 +22,6 @@ static const graze_solid *solid_of(const descent *d) {
     return d->s->at.of->base->scene->solid;
 }
 
-/* Nodes with a bound of this or more are not entered. */
-static double cut_of(const descent *d) {
-    return smaller(d->out->high, d->limit);
-}
-
 static double box_low(const descent *d, uint32_t node) {
     const box *b = &solid_of(d)->boxes.node[node].box;
     double g[3];
@@ -75,7 +70,7 @@ void nearest_boundary(nearest *out, const stance *s, const place *list, size_t c
         push(&d, list[k].node, count > 1 ? box_low(&d, list[k].node) : 0);
         while (d.count > 0) {
             d.count--;
-            if (d.low[d.count] < cut_of(&d))
+            if (d.low[d.count] < smaller(d.out->high, d.limit))
                 enter(&d, d.node[d.count]);
             else
                 out->low = smaller(out->low, d.low[d.count]);

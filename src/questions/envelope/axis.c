@@ -7,9 +7,7 @@
 /* Sort the roots into `point`; equal numbers stand there once. */
 static graze_status order_points(axis *x, graze_context *context) {
     size_t n = x->roots.count;
-    x->point = malloc(n * sizeof *x->point);
-    if (!x->point)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for roots");
+    TRY(MAKE_ARRAY(context, x->point, n, "roots"));
     for (size_t k = 0; k < n; k++)
         x->point[k] = &x->roots.item[k];
     x->count = n;
@@ -70,10 +68,8 @@ void signs_clear(signs *s) {
 
 graze_status signs_find(signs *s, graze_context *context) {
     TRY(axis_make(&s->x, context, s->p, s->rooted));
-    s->at = calloc(s->x.count, s->count);
-    s->before = calloc(s->x.count, s->count);
-    if (!s->at || !s->before)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for signs");
+    TRY(MAKE_ARRAY(context, s->at, s->x.count * s->count, "signs"));
+    TRY(MAKE_ARRAY(context, s->before, s->x.count * s->count, "signs"));
     for (size_t k = 0; k < s->x.count; k++)
         for (size_t p = 0; p < s->count; p++) {
             int sign = 0;

@@ -5,9 +5,7 @@
 #include "base/number/vector.h"
 #include "questions/envelope/patch_ends.h"
 
-static graze_status no_room_for_cells(graze_context *context) {
-    return context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a boundary");
-}
+#define CELLS "the cells of a boundary"
 
 /* A vertex of the input and its coordinates, to be sorted by position. */
 typedef struct position {
@@ -39,9 +37,8 @@ static size_t list_corners(position *out, const cell_complex *c, size_t *seen) {
  * before. */
 static graze_status number_positions(size_t *number, cell_complex *c, graze_context *context) {
     size_t d = (size_t)c->dimension;
-    FREED(position, sorted, malloc(c->solid->input.vertex_count * sizeof *sorted));
-    if (!sorted)
-        return no_room_for_cells(context);
+    FREED(position, sorted, NULL);
+    TRY(MAKE_ARRAY(context, sorted, c->solid->input.vertex_count, CELLS));
     size_t n = list_corners(sorted, c, number);
     qsort(sorted, n, sizeof *sorted, compare_positions);
     c->at = _fmpq_vec_init((slong)(n * d));
@@ -57,10 +54,9 @@ static graze_status number_positions(size_t *number, cell_complex *c, graze_cont
 static graze_status find_corners(cell_complex *c, graze_context *context) {
     const simplices *cut = &c->solid->cut;
     size_t d = (size_t)c->dimension;
-    FREED(size_t, number, calloc(c->solid->input.vertex_count, sizeof *number));
-    c->corner = malloc(cut->count * d * sizeof *c->corner);
-    if (!number || !c->corner)
-        return no_room_for_cells(context);
+    FREED(size_t, number, NULL);
+    TRY(MAKE_ARRAY(context, number, c->solid->input.vertex_count, CELLS));
+    TRY(MAKE_ARRAY(context, c->corner, cut->count * d, CELLS));
     TRY(number_positions(number, c, context));
     for (size_t s = 0; s < cut->count; s++)
         for (size_t k = 0; k < d; k++)
@@ -117,11 +113,9 @@ static void merge_facets(cell_complex *c, size_t count) {
 
 static graze_status find_facets(cell_complex *c, graze_context *context) {
     size_t n = c->solid->cut.count;
-    c->facet = calloc(n, sizeof *c->facet);
-    c->order = malloc(n * sizeof *c->order);
-    c->facet_of = malloc(n * sizeof *c->facet_of);
-    if (!c->facet || !c->order || !c->facet_of)
-        return no_room_for_cells(context);
+    TRY(MAKE_ARRAY(context, c->facet, n, CELLS));
+    TRY(MAKE_ARRAY(context, c->order, n, CELLS));
+    TRY(MAKE_ARRAY(context, c->facet_of, n, CELLS));
     for (size_t s = 0; s < n; s++)
         set_facet(&c->facet[s], c, s);
     qsort(c->facet, n, sizeof *c->facet, compare_cell_facets);
@@ -156,8 +150,8 @@ static graze_status locate_next(graze_cell *name, place_kind *kind, locating *l,
     TRY(neighborhood_locate(&found, l->context, l->c->solid, at));
     if (!found.count)
         return context_fail(l->context, GRAZE_EINTERNAL, "a cell is not on the boundary");
-    TRY(array_grow(l->context, &l->lists->item, &l->capacity, l->used + found.count,
-                   sizeof *l->lists->item, "the facets at a cell"));
+    TRY(ARRAY_GROW(l->context, l->lists->item, l->capacity, l->used + found.count,
+                   "the facets at a cell"));
     for (size_t k = 0; k < found.count; k++)
         l->lists->item[l->used++] = facet_number(l->c, &found.facet[k]);
     *name = found.cell;
@@ -175,10 +169,8 @@ static void sort_lists(cell_lists *lists, size_t count) {
 static graze_status locate_vertices(cell_complex *c, graze_context *context) {
     int d = c->dimension;
     locating l = {.c = c, .context = context, .lists = &c->vertex_facets};
-    c->vertex = calloc(c->vertex_count, sizeof *c->vertex);
-    c->vertex_facets.start = calloc(c->vertex_count + 1, sizeof(size_t));
-    if (!c->vertex || !c->vertex_facets.start)
-        return no_room_for_cells(context);
+    TRY(MAKE_ARRAY(context, c->vertex, c->vertex_count, CELLS));
+    TRY(MAKE_ARRAY(context, c->vertex_facets.start, c->vertex_count + 1, CELLS));
     for (size_t k = 0; k < c->vertex_count; k++) {
         cell_vertex *v = &c->vertex[k];
         const fmpq *at = c->at + k * (size_t)d;
@@ -192,9 +184,7 @@ static graze_status locate_vertices(cell_complex *c, graze_context *context) {
 static graze_status locate_edges(cell_complex *c, graze_context *context) {
     int d = c->dimension;
     locating l = {.c = c, .context = context, .lists = &c->edge_facets};
-    c->edge_facets.start = calloc(c->edge_count + 1, sizeof(size_t));
-    if (!c->edge_facets.start)
-        return no_room_for_cells(context);
+    TRY(MAKE_ARRAY(context, c->edge_facets.start, c->edge_count + 1, CELLS));
     LOCAL_VEC(fmpq, middle, d);
     for (size_t k = 0; k < c->edge_count; k++) {
         cell_edge *e = &c->edge[k];
@@ -210,10 +200,8 @@ static graze_status locate_edges(cell_complex *c, graze_context *context) {
 static graze_status invert_edges(cell_lists *out, graze_context *context, const cell_complex *c,
                                  size_t count, int by_vertex) {
     size_t total = by_vertex ? 2 * c->edge_count : c->edge_facets.start[c->edge_count];
-    out->start = calloc(count + 2, sizeof(size_t));
-    out->item = malloc((total + 1) * sizeof(size_t));
-    if (!out->start || !out->item)
-        return no_room_for_cells(context);
+    TRY(MAKE_ARRAY(context, out->start, count + 2, CELLS));
+    TRY(MAKE_ARRAY(context, out->item, total + 1, CELLS));
     for (int pass = 0; pass < 2; pass++) {
         for (size_t e = 0; e < c->edge_count; e++) {
             const size_t ends[2] = {c->edge[e].u, c->edge[e].v};
@@ -251,11 +239,10 @@ static void list_lone_vertices(cell_lists *out, const cell_complex *c, size_t *s
 
 static graze_status find_lone_vertices(cell_lists *out, graze_context *context,
                                        const cell_complex *c) {
-    FREED(size_t, seen, calloc(c->facet_count, sizeof *seen));
-    out->start = calloc(c->facet_count + 2, sizeof(size_t));
-    out->item = malloc((c->vertex_facets.start[c->vertex_count] + 1) * sizeof(size_t));
-    if (!seen || !out->start || !out->item)
-        return no_room_for_cells(context);
+    FREED(size_t, seen, NULL);
+    TRY(MAKE_ARRAY(context, seen, c->facet_count, CELLS));
+    TRY(MAKE_ARRAY(context, out->start, c->facet_count + 2, CELLS));
+    TRY(MAKE_ARRAY(context, out->item, c->vertex_facets.start[c->vertex_count] + 1, CELLS));
     list_lone_vertices(out, c, seen, 1);
     for (size_t k = 2; k < c->facet_count + 2; k++)
         out->start[k] += out->start[k - 1];

@@ -86,9 +86,7 @@ graze_status piece_field_make(derivatives *out, graze_context *context, const mo
             fmpz_poly_init(&out->entry[k][i]);
     fmpz_poly_init(&out->delta);
     size_t count = vertex_polynomials(out);
-    out->vertex = malloc(count * sizeof *out->vertex);
-    if (!out->vertex)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the speeds of vertices");
+    TRY(MAKE_ARRAY(context, out->vertex, count, "the speeds of vertices"));
     for (size_t k = 0; k < count; k++)
         fmpz_poly_init(out->vertex + k);
     set_velocity(out, piece);

@@ -79,7 +79,7 @@ static graze_status add_inner(edge_finder *f, const fmpq_t lambda, size_t vertex
     for (size_t k = 0; k < f->inner_count; k++)
         if (f->inner[k].vertex == vertex)
             return GRAZE_OK;
-    TRY(array_grow(f->context, &f->inner, &f->inner_capacity, f->inner_count + 1, sizeof *f->inner,
+    TRY(ARRAY_GROW(f->context, f->inner, f->inner_capacity, f->inner_count + 1,
                    "the vertices in an edge"));
     fmpq_init(&f->inner[f->inner_count].lambda);
     fmpq_set(&f->inner[f->inner_count].lambda, lambda);
@@ -231,7 +231,7 @@ static int compare_inner(const void *left, const void *right) {
 
 static graze_status append_edge(edge_finder *f, size_t a, size_t b) {
     cell_complex *c = f->c;
-    TRY(array_grow(f->context, &c->edge, &f->edge_capacity, c->edge_count + 1, sizeof *c->edge,
+    TRY(ARRAY_GROW(f->context, c->edge, f->edge_capacity, c->edge_count + 1,
                    "the edges of a boundary"));
     c->edge[c->edge_count++] = (cell_edge){.u = a < b ? a : b, .v = a < b ? b : a};
     return GRAZE_OK;
@@ -272,10 +272,8 @@ graze_status edges_find(cell_complex *c, graze_context *context) {
     f.c = c;
     f.context = context;
     f.corner_positions = c->vertex_count;
-    f.side = malloc(n * 3 * sizeof *f.side);
-    f.keep = calloc(n, 1);
-    if (!f.side || !f.keep)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for edges");
+    TRY(MAKE_ARRAY(context, f.side, n * 3, "edges"));
+    TRY(MAKE_ARRAY(context, f.keep, n, "edges"));
     list_edge_sides(&f);
     keep_edges(&f);
     for (size_t k = 0; k < f.side_count; k++) {

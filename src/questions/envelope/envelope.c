@@ -19,12 +19,11 @@ static graze_status check_demand(graze_context *context, const derivatives *fiel
 
 static graze_status make_fields(graze_envelope *e, graze_context *context) {
     const graze_motion *motion = e->scene->motion;
-    e->field = calloc(motion->piece_count, sizeof *e->field);
-    e->is_break = calloc(motion->piece_count, 1);
-    e->still = calloc(motion->piece_count, e->cells.facet_count);
-    if (!e->field || !e->is_break || !e->still)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the pieces of a motion");
-    for (size_t k = 0; k < motion->piece_count; k++) {
+    size_t n = motion->piece_count;
+    TRY(MAKE_ARRAY(context, e->field, n, "the pieces of a motion"));
+    TRY(MAKE_ARRAY(context, e->is_break, n, "the pieces of a motion"));
+    TRY(MAKE_ARRAY(context, e->still, n * e->cells.facet_count, "the pieces of a motion"));
+    for (size_t k = 0; k < n; k++) {
         site_side side[2] = {{.present = 1, .piece = k ? k - 1 : 0}, {.present = 1, .piece = k}};
         e->is_break[k] = (unsigned char)(k > 0 && sides_break(side, motion));
         graze_status status = piece_field_make(&e->field[k], context, &motion->piece[k], &e->cells);

@@ -102,10 +102,9 @@ static int compare_event_pieces(const void *left, const void *right) {
 }
 
 graze_status events_finish(event_list *list, graze_context *context) {
-    FREED(algebraic *, where, malloc((list->count + 1) * sizeof *where));
-    list->time = malloc((list->count + 1) * sizeof(graze_time *));
-    if (!where || !list->time)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for times");
+    FREED(algebraic *, where, NULL);
+    TRY(MAKE_ARRAY(context, where, list->count + 1, "times"));
+    TRY(MAKE_ARRAY(context, list->time, list->count + 1, "times"));
     if (!list->count)
         return GRAZE_OK;
     qsort(list->item, list->count, sizeof *list->item, compare_event_pieces);

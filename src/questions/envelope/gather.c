@@ -47,9 +47,7 @@ static graze_status judge_corner(graze_envelope *e, graze_context *context, size
 }
 
 graze_status gather_corner(graze_envelope *e, graze_context *context, size_t facet, size_t vertex) {
-    found_event what = {.kind = GRAZE_EVENT_REACH,
-                        .facet = e->cells.facet[facet].name,
-                        .cell = e->cells.vertex[vertex].name};
+    found_event what = {.facet = e->cells.facet[facet].name, .cell = e->cells.vertex[vertex].name};
     watch g = {SIGN_NONE, SIGN_NONE}, theta = g;
     for (size_t piece = 0; piece < e->piece_count; piece++) {
         HELD(signs, s, 2, 1);

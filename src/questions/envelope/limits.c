@@ -82,10 +82,10 @@ graze_status members_add(numbers *set, graze_context *context, size_t patch) {
 
 graze_status joint_add(graze_patches *p, graze_context *context, const graze_cell *cell,
                        graze_chain_form form, size_t from, size_t to, const numbers *set) {
-    TRY(array_grow(context, &p->joint, &p->joint_capacity, p->joint_count + 1, sizeof *p->joint,
+    TRY(ARRAY_GROW(context, p->joint, p->joint_capacity, p->joint_count + 1,
                    "the joints of patches"));
-    TRY(array_grow(context, &p->member, &p->member_capacity, p->member_count + set->count,
-                   sizeof *p->member, "the joints of patches"));
+    TRY(ARRAY_GROW(context, p->member, p->member_capacity, p->member_count + set->count,
+                   "the joints of patches"));
     p->joint[p->joint_count++] = (patch_joint){*cell, form, from, to, p->member_count, set->count};
     for (size_t k = 0; k < set->count; k++)
         p->member[p->member_count++] = set->item[k];

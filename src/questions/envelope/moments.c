@@ -36,12 +36,10 @@ graze_status moments_make(moment_list *out, graze_context *context, const graze_
     const event_list *events = &e->events;
     size_t room = events->time_count + e->piece_count + 1, next = 0;
     memset(out, 0, sizeof *out);
-    out->time = malloc(room * sizeof(graze_time *));
-    out->own = malloc(room * sizeof(graze_time *));
-    out->hard = malloc((e->piece_count + 1) * sizeof *out->hard);
-    out->of_event = malloc(room * sizeof *out->of_event);
-    if (!out->time || !out->own || !out->hard || !out->of_event)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for times");
+    TRY(MAKE_ARRAY(context, out->time, room, "times"));
+    TRY(MAKE_ARRAY(context, out->own, room, "times"));
+    TRY(MAKE_ARRAY(context, out->hard, e->piece_count + 1, "times"));
+    TRY(MAKE_ARRAY(context, out->of_event, room, "times"));
     for (size_t piece = 0; piece < e->piece_count; piece++) {
         if (piece == 0 || e->is_break[piece])
             TRY(append_boundary(out, context, events, &next, piece, 0));

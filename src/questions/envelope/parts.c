@@ -17,8 +17,7 @@ typedef struct slice_point {
 static graze_status add_curve_part(graze_curve *c, graze_context *context, graze_curve_kind kind,
                                    const graze_cell *cell, size_t number, const slice_point *a,
                                    const slice_point *b) {
-    TRY(array_grow(context, &c->part, &c->capacity, c->count + 1, sizeof *c->part,
-                   "the parts of a curve"));
+    TRY(ARRAY_GROW(context, c->part, c->capacity, c->count + 1, "the parts of a curve"));
     curve_part *made = &c->part[c->count++];
     made->facts = (graze_curve_part){
         .kind = kind, .cell = *cell, .theta_a = GRAZE_SIGN_ABSENT, .theta_b = GRAZE_SIGN_ABSENT};

@@ -39,12 +39,11 @@ static void polynomial_of(fmpq_mpoly_t out, const csg_surface *s, const fmpq_mpo
  * body. */
 static graze_status order_surfaces(surveyor *s) {
     const csg *solid = s->out->solid;
-    FREED(char, seen, calloc(solid->surface_count + 1, 1));
-    s->order = malloc((solid->surface_count + 1) * sizeof *s->order);
-    s->polynomial = malloc((solid->surface_count + 1) * sizeof *s->polynomial);
-    if (!seen || !s->order || !s->polynomial)
-        return context_fail(s->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces",
-                            solid->surface_count);
+    size_t most = solid->surface_count;
+    FREED(char, seen, NULL);
+    TRY(MAKE_ARRAY(s->context, seen, most + 1, "%zu surfaces", most));
+    TRY(MAKE_ARRAY(s->context, s->order, most + 1, "%zu surfaces", most));
+    TRY(MAKE_ARRAY(s->context, s->polynomial, most + 1, "%zu surfaces", most));
     for (size_t n = 0; n < solid->node_count; n++)
         for (size_t k = 0; k < solid->node[n].count && solid->node[n].operation == CSG_SIGN; k++) {
             size_t surface = solid->operand[solid->node[n].first + k];

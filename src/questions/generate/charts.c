@@ -19,8 +19,7 @@ void charts_clear(charts *list) {
 }
 
 static graze_status append_chart(charts *list, const flat *place, const quadratic *curve) {
-    TRY(array_grow(list->context, &list->item, &list->capacity, list->count + 1, sizeof *list->item,
-                   "rational points of surfaces"));
+    TRY(LIST_GROW(list->context, list, "rational points of surfaces"));
     chart *to = &list->item[list->count++];
     *to = (chart){.bent = curve != NULL, .mark = list->mark};
     flat_init(&to->place, place->dimension);

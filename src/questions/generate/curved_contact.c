@@ -144,11 +144,10 @@ static graze_status find_dependence(touchpoint *p) {
     ZEROED(expression, e);
     LOCAL_VEC(fmpz, x, d + 1);
     size_t count = 0;
-    FREED(size_t, vanishing, malloc((solid->surface_count + 1) * sizeof *vanishing));
+    FREED(size_t, vanishing, NULL);
+    TRY(MAKE_ARRAY(p->context, vanishing, solid->surface_count + 1, "%zu surfaces",
+                   solid->surface_count));
     TRY(expression_init(&e, p->context, solid));
-    if (!vanishing)
-        return context_fail(p->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces",
-                            solid->surface_count);
     _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, p->y, d);
     for (size_t k = 0; k < solid->surface_count; k++) {
         e.sign[k] = (signed char)csg_surface_sign(&solid->surface[k], x, d);

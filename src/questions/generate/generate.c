@@ -19,10 +19,7 @@ static const uint64_t TRIAL_STREAM = UINT64_C(1) << 63, TIME_STREAM = UINT64_C(3
 /* Make times at random multiples of 2^-10 inside random pieces. The first eighth are multiples of
  * 1/4, so that even few tries find points with short coordinates. */
 static graze_status make_instants(struct graze_generator *g, graze_context *context) {
-    g->instants = malloc(INSTANTS * sizeof *g->instants);
-    if (!g->instants)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a list of %d times",
-                            INSTANTS);
+    TRY(MAKE_ARRAY(context, g->instants, INSTANTS, "a list of %d times", INSTANTS));
     random_stream r;
     LOCAL(fmpq, u);
     random_seed(&r, g->seed, TIME_STREAM);
@@ -44,9 +41,7 @@ static graze_status make_instants(struct graze_generator *g, graze_context *cont
 /* List the start of every piece, and the end of the last one. */
 static graze_status list_joints(struct graze_generator *g, graze_context *context) {
     size_t pieces = g->scene->motion->piece_count;
-    g->joints = malloc((pieces + 1) * sizeof *g->joints);
-    if (!g->joints)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu break points", pieces);
+    TRY(MAKE_ARRAY(context, g->joints, pieces + 1, "%zu break points", pieces));
     LOCAL(fmpq, u);
     for (size_t k = 0; k < pieces; k++)
         instant_init(&g->joints[g->joint_count++], g->scene, k, u);
@@ -142,9 +137,7 @@ static graze_status try_strata(struct graze_generator *g, graze_context *context
 /* Look for points of a curved solid, which has no signed distances. */
 static graze_status survey_curved(struct graze_generator *g, graze_context *context) {
     g->weight[GRAZE_STRATUM_LEVEL] = 0;
-    g->atlas = calloc(1, sizeof *g->atlas);
-    if (!g->atlas)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a generator");
+    TRY(MAKE_ARRAY(context, g->atlas, 1, "a generator"));
     return atlas_make(g->atlas, context, g->scene->solid->curved, g->instants, g->instant_count);
 }
 

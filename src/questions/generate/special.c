@@ -35,8 +35,7 @@ void special_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece, c
 
 static graze_status append_special(specials *out, graze_context *context, const graze_scene *scene,
                                    size_t piece, const fmpq_t u, size_t simplex, int slides) {
-    TRY(array_grow(context, &out->item, &out->capacity, out->count + 1, sizeof *out->item,
-                   "the special times"));
+    TRY(LIST_GROW(context, out, "the special times"));
     special *added = &out->item[out->count++];
     instant_init(&added->when, scene, piece, u);
     added->simplex = simplex;

@@ -35,7 +35,7 @@ graze_status band_init(band *b, graze_context *context, const graze_scene *scene
     *b = (band){.count = 1};
     cell_asker_init(&b->ask, context, scene);
     b->ask.corners = 1;
-    TRY(array_grow(context, &b->item, &b->capacity, 1, sizeof *b->item, "cubes of space"));
+    TRY(ARRAY_GROW(context, b->item, b->capacity, 1, "cubes of space"));
     LOCAL_VEC(fmpq, box_low, 6);
     fmpq *box_high = box_low + 3;
     b->item[0] = (cube){.kind = CUBE_BAND};
@@ -123,8 +123,7 @@ graze_status band_parts(cube part[8], const band *b, cell_asker *ask, uint32_t i
 
 graze_status band_take_parts(band *b, const cube part[8]) {
     uint32_t index = part[0].parent;
-    TRY(array_grow(b->ask.context, &b->item, &b->capacity, b->count + 8, sizeof *b->item,
-                   "cubes of space"));
+    TRY(ARRAY_GROW(b->ask.context, b->item, b->capacity, b->count + 8, "cubes of space"));
     memcpy(b->item + b->count, part, 8 * sizeof *part);
     b->decided += 8;
     b->item[index].child = (uint32_t)b->count;

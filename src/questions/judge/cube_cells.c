@@ -49,7 +49,7 @@ static graze_status add_to_cell(cube_cells *c, const fmpq *corner, unsigned side
     c->parts++;
     while (k < c->count && c->item[k].sides != sides)
         k++;
-    TRY(array_grow(c->context, &c->item, &c->capacity, k + 1, sizeof *c->item, "cells of a cube"));
+    TRY(ARRAY_GROW(c->context, c->item, c->capacity, k + 1, "cells of a cube"));
     LOCAL_VEC(fmpq, e, 13);
     fmpq *at = c->item[k].at;
     if (k == c->count) {

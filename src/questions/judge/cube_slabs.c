@@ -94,8 +94,7 @@ static graze_status do_task(void *data, graze_context *context, int member, size
 }
 
 static graze_status queue_cube(slab_run *r, graze_context *context, uint32_t index) {
-    TRY(array_grow(context, &r->queue, &r->capacity, r->queued + 1, sizeof *r->queue,
-                   "cubes of space"));
+    TRY(ARRAY_GROW(context, r->queue, r->capacity, r->queued + 1, "cubes of space"));
     r->queue[r->queued++] = index;
     return GRAZE_OK;
 }
@@ -104,8 +103,7 @@ static graze_status take_task(slab_run *r, suprema *s, const slab_task *t) {
     band *b = &s->space;
     b->decided += t->sought ? SLAB_COST : 0;
     if (t->has_slab) {
-        TRY(array_grow(s->context, &s->slab, &s->slab_capacity, s->slab_count + 1, sizeof *s->slab,
-                       "slabs of cubes"));
+        TRY(ARRAY_GROW(s->context, s->slab, s->slab_capacity, s->slab_count + 1, "slabs of cubes"));
         s->slab[s->slab_count++] = t->slab;
         b->item[t->index].slab = (uint32_t)s->slab_count;
         return GRAZE_OK;

@@ -164,9 +164,6 @@ struct graze_judgement {
     suprema searched;
 };
 
-/** "none", "parity" or "winding". Static. */
-const char *mesh_rule_name(graze_mesh_rule rule);
-
 /* The place of a point relative to a mesh, and its winding number. */
 
 /** The place of a point: it is inside if the winding number is not 0, or is odd, by the mesh's rule

@@ -52,10 +52,6 @@ graze_status judged_mesh_make(judged_mesh *out, graze_context *context, const so
     return context_poll(context);
 }
 
-const char *mesh_rule_name(graze_mesh_rule rule) {
-    return rule == GRAZE_MESH_WINDING ? "winding" : rule == GRAZE_MESH_PARITY ? "parity" : "none";
-}
-
 void judged_mesh_clear(judged_mesh *m) {
     simplices_clear(&m->cut);
     corners_clear(&m->corners);

@@ -9,8 +9,7 @@ static int comes_before(const waiting_part *a, const waiting_part *b) {
 }
 
 graze_status priority_add(priority *p, graze_context *context, double bound, uint32_t number) {
-    TRY(array_grow(context, &p->item, &p->capacity, p->count + 1, sizeof *p->item,
-                   "parts that wait"));
+    TRY(LIST_GROW(context, p, "parts that wait"));
     waiting_part added = {bound, number};
     size_t at = p->count++;
     for (; at > 0 && comes_before(&added, &p->item[(at - 1) / 2]); at = (at - 1) / 2)

@@ -103,8 +103,7 @@ static double inside_bound(suprema *s, const asked_part *a) {
 
 /* Append a part: ask its reference point, unless the part it is cut from has the same point. */
 static graze_status take_mesh_part(suprema *s, const mesh_part *part, const asked_part *from) {
-    TRY(array_grow(s->context, &s->part, &s->part_capacity, s->part_count + 1, sizeof *s->part,
-                   "parts of a mesh"));
+    TRY(ARRAY_GROW(s->context, s->part, s->part_capacity, s->part_count + 1, "parts of a mesh"));
     asked_part added = {.part = *part, .out = INFINITY};
     if (from && memcmp(from->part.x, part->x, sizeof part->x) == 0)
         added.known = from->known;

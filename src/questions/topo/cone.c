@@ -93,8 +93,8 @@ int cone_knows(graze_state *out, const local_cone *cone, const signed char *sign
 graze_status cone_state(graze_state *out, local_cone *cone, graze_context *context,
                         const fmpz *direction) {
     size_t width = cone->count + 1;
-    TRY(array_grow(context, &cone->known_item, &cone->known_capacity, (cone->known + 1) * width,
-                   sizeof *cone->known_item, "the directions of a cone"));
+    TRY(ARRAY_GROW(context, cone->known_item, cone->known_capacity, (cone->known + 1) * width,
+                   "the directions of a cone"));
     signed char *signs = cone->known_item + cone->known * width;
     LOCAL(fmpz, value);
     for (size_t j = 0; j < cone->count; j++) {

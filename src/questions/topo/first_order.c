@@ -42,8 +42,7 @@ void germ_list_clear(germ_list *list) {
 /* Append a germ with the map of its piece; its other members are zeros. */
 static graze_status germs_append(germ **out, germ_list *list, graze_context *context,
                                  const point_map *map) {
-    TRY(array_grow(context, &list->item, &list->capacity, list->count + 1, sizeof *list->item,
-                   "the contacts of a point"));
+    TRY(LIST_GROW(context, list, "the contacts of a point"));
     *out = &list->item[list->count++];
     memset(*out, 0, sizeof **out);
     (*out)->map = map;
@@ -53,8 +52,8 @@ static graze_status germs_append(germ **out, germ_list *list, graze_context *con
 /* Append a turning stretch between two times; the list's last germ is at a time inside it. */
 static graze_status germs_append_turn(germ_list *list, graze_context *context,
                                       const algebraic *from, const algebraic *to) {
-    TRY(array_grow(context, &list->turn, &list->turn_capacity, list->turn_count + 1,
-                   sizeof *list->turn, "the times in which the solid turns"));
+    TRY(ARRAY_GROW(context, list->turn, list->turn_capacity, list->turn_count + 1,
+                   "the times in which the solid turns"));
     turning_stretch *t = &list->turn[list->turn_count++];
     t->germ = list->count - 1;
     algebraic_init(&t->from);

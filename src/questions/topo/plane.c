@@ -54,8 +54,7 @@ void curve_list_clear(curve_list *list) {
 graze_status curves_append(curve_list *list, graze_context *context, const fmpz_mpoly_t curve) {
     if (fmpz_mpoly_is_fmpz(curve, list->ring))
         return GRAZE_OK;
-    TRY(array_grow(context, &list->item, &list->capacity, list->count + 1, sizeof *list->item,
-                   "the curves of a sweep"));
+    TRY(LIST_GROW(context, list, "the curves of a sweep"));
     fmpz_mpoly_init(&list->item[list->count], list->ring);
     fmpz_mpoly_set(&list->item[list->count++], curve, list->ring);
     return GRAZE_OK;

@@ -233,8 +233,7 @@ static void second_maker_clear(second_maker *m) {
  */
 static graze_status add_half(second_maker *m, germ *g, int sign, int way) {
     int covers = 0;
-    TRY(array_grow(m->context, &m->item, &m->capacity, m->count + 1, sizeof *m->item,
-                   "the contacts of a point"));
+    TRY(LIST_GROW(m->context, m, "the contacts of a point"));
     half_germ *half = &m->item[m->count++];
     half_germ_init(half);
     TRY(half_of_germ(&covers, half, &m->plane, m->context, g, sign, way));

@@ -226,9 +226,8 @@ graze_status signs_cover_in_turn(int *covered, turning_stretch *t, germ *g, graz
     size_t n = cone->count;
     *covered = 0;
     LOCAL_VEC(fmpz_poly, p, (slong)n);
-    FREED(signed char, sign, malloc(n + 1));
-    if (!sign)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a contact");
+    FREED(signed char, sign, NULL);
+    TRY(MAKE_ARRAY(context, sign, n + 1, "a contact"));
     LOCAL(fmpz_poly, product);
     fmpz_poly_set_ui(product, 1);
     HELD(algebraic_list, roots);
