@@ -53,7 +53,9 @@ static int slope_is_cheaper(const fmpz_poly_t q, const dyadic_interval *where) {
 
 /* Sign of q at an irrational x if the interval decides it, else 0. */
 static int sign_on_interval(const fmpz_poly_t q, const algebraic *x) {
-    if (x->where.exponent > COARSE || slope_is_cheaper(q, &x->where))
+    if (x->where.exponent > COARSE)
+        return sign_by_slope(q, &x->where);
+    if (slope_is_cheaper(q, &x->where))
         return sign_by_slope(q, &x->where);
     HELD(bernstein_form, form, q, fmpz_poly_degree(q), &x->where);
     return bernstein_one_sign(&form);
