@@ -239,6 +239,10 @@ for way, x, y in (("up", [], THERE), ("right", THERE, []), ("down", [], [-c for 
           moved(0, 1, [-c for c in y] or x, x or y), 2 * (400 - 324 + 144 - 100 + 16 - 4 + (20 + 18 + 12 + 10 + 4 + 2) * H),
           components=3, interior=3, holes=3, length=4 * (20 + 18 + 12 + 10 + 4 + 2) * sqrt(2))
 
+# twice: flats of two times on one upright irrational line are one side
+scene("square right to an irrational place and back, twice", UNIT, build([(0, 1, translate([THERE, []])), (1, 2, translate([[0, -2, 3, -1], []]))]), 1 + H,
+      length=4 + 2 * H)
+
 # Right triangles with legs of 60, a hole's of 20 and an island's of 6, by (t - t³)(1, 1): the long sides have flats on irrational lines that slope.
 # A triangle grows by H √2 times its width, twice its leg over √2; the hole's legs are 20 - 2 H
 BACK = [-c for c in THERE]

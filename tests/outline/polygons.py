@@ -18,7 +18,7 @@ from byhand import SCENES
 from exact import Fraction as F
 from outlines import Checks, Program, middle, options
 
-from motion import build, rotation  # noqa: E402
+from motion import build, rotation, translate  # noqa: E402
 from solids import Polygon, ring  # noqa: E402
 
 try:
@@ -118,6 +118,13 @@ def apart(checks, program):
         checks.holds(min(math.hypot(*p) for p in polygons[0][0]) > 9.99, "bars", near, "the outer polygon")
 
 
+def flat(checks, program):
+    """A triangle of height 2^-60 at rest: its corners, as doubles with the unit that the others need, are on one line."""
+    low = Polygon([[ring((0, 0), (1, 0), (F(1, 2), F(1, 2 ** 60)))]])
+    code, text, _ = polygon(program, "flat", low, build([(0, 1, translate([[], []]))]), 1e-3, False)
+    checks.equal((code, "doubles" in text), (6, True), "flat", text)
+
+
 FORM = SCENES[0].name
 BARS = Polygon([[ring((10, 0), (F(101, 10), 0), (F(101, 10), F(1, 20)), (10, F(1, 20)))],
                 [ring((F(32, 5), F(32, 5)), (7, 7), (F(139, 20), F(141, 20)), (F(127, 20), F(129, 20)))]])
@@ -133,6 +140,7 @@ def main():
             check(checks, program, scene)
     forms(checks, program)
     apart(checks, program)
+    flat(checks, program)
     checks.finish()
 
 

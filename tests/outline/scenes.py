@@ -52,6 +52,7 @@ def arctan(n):
 
 QUARTER = {"rotate": {"tan_half": "t"}}
 SECOND_QUARTER = {"compose": [{"matrix": [["0", "-1", "0"], ["1", "0", "0"]]}, {"rotate": {"tan_half": "t - 1"}}]}
+ELSEWHEN = "2*t^3/(t^3 + (1 - t)^3) - 1"
 LOOP = [along("4*t", "0"), along("4", "4*(t - 1)"), along("4 - 4*(t - 2)", "4"), along("0", "4 - 4*(t - 3)")]
 
 # name, solid, motion, operation, area, length, components, components of the interior, holes, ends of lower arcs, lower points
@@ -66,6 +67,10 @@ SCENES = [
     # Over X the path y = u^2/4 has u in [max(-4, X-1), min(4, X)]; the height is 1 + the greatest y - the least. From -4 to -3 it is
     # 5 - X^2/4, as from 4 to 5: together 23/6. From 1 to 4 it is 1 + (2X-1)/4, as from -3 to 0: 12. From 0 to 1 it is 1 + max(X, 1-X)^2/4: 55/48.
     ("parabola", SQUARE, motion(along("8*t - 4", "4*(2*t - 1)^2")), "sweep", Fraction(815, 48), None, 1, 1, 0, [], 0),
+    # [0, 3/2] x [0, 1] along (u, u^2), u = -1 + 2 q, where q = t^3/(t^3 + (1 - t)^3) rises from 0 to 1. Over X u is in [X - 3/2, X] and [-1, 1]; the height is
+    # 1 + the greatest u^2 - the least. The greatest is 1 but from 1/2 to 1, where it is that of X^2 and (X - 3/2)^2, together 37/96; the least is X^2
+    # up to 0 and (X - 3/2)^2 from 3/2 on, together 2/3, else 0: 7/2 + 3 + 37/96 - 2/3.
+    ("parabola at another speed", box("1.5", 1), motion(along(f"{ELSEWHEN}", f"({ELSEWHEN})^2")), "sweep", Decimal(199) / 32, None, 1, 1, 0, [], 0),
     # f = 3t - 5t^3 rises to 2/sqrt 5 at a = 1/sqrt 5 and falls to -2. Over X in [0, 1] t is in [0, X], over [1, 2] in [X-1, 1]. The greatest
     # values sum up to 1/4 + (1-a) 2 a and 2 a^2 + 0, the least ones to -1/5 and -2; the square's height adds 2.
     ("cubic", SQUARE, motion(along("t", "3*t - 5*t^3")), "sweep", Decimal("4.45") + 2 / root(5), None, 1, 1, 0, [], 0),

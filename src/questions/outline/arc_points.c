@@ -29,15 +29,21 @@ void outline_point_clear(outline_point *p) {
     }
 }
 
-/* Append the point at an end of a piece. */
+/* Append the point at an end of a piece, or take that of the piece before, which ends there. */
 static graze_status append_point(graze_outline *o, graze_context *context, outline_piece *p,
                                  int end) {
     algebraic *s = piece_end(o, p, end);
+    size_t cut = p->cut + (size_t)end, before = o->point_count;
+    p->end[end] = before;
+    if (before && o->point[before - 1].curve == p->curve && o->point[before - 1].cut == cut) {
+        p->end[end]--;
+        return GRAZE_OK;
+    }
     TRY(array_grow(context, &o->point, &o->point_capacity, o->point_count + 1, sizeof *o->point,
                    "the points of an outline"));
     outline_point *made = &o->point[o->point_count];
-    outline_point_init(made, p->curve, p->cut + (size_t)end);
-    made->vertex = p->end[end] = o->point_count++;
+    outline_point_init(made, p->curve, cut);
+    made->vertex = o->point_count++;
     number_reduce(s);
     return outline_curve_place(made->place, context, &o->curve[p->curve], s, POINT_PLACES);
 }
@@ -96,16 +102,9 @@ static graze_status find_equal(graze_outline *o, graze_context *context,
 }
 
 graze_status outline_points(graze_outline *o, graze_context *context) {
-    for (size_t k = 0; k < o->piece_count; k++) {
-        outline_piece *p = &o->piece[k];
-        if (!piece_has_ends(p))
-            continue;
-        if (k > 0 && piece_has_ends(p - 1) && p[-1].curve == p->curve && p[-1].cut + 1 == p->cut)
-            p->end[0] = p[-1].end[1];
-        else
-            TRY(append_point(o, context, p, 0));
-        TRY(append_point(o, context, p, 1));
-    }
+    for (size_t k = 0; k < o->piece_count; k++)
+        for (int end = 0; end < 2 && piece_has_ends(&o->piece[k]); end++)
+            TRY(append_point(o, context, &o->piece[k], end));
     FREED(sorted_point, sorted, malloc((o->point_count + 1) * sizeof *sorted));
     if (!sorted)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");

@@ -64,7 +64,7 @@ static graze_status begin_arc(outline_polygon *p, size_t arc) {
     const outline_point *start = &p->o->point[from];
     outline_curve *c = &p->o->curve[start->curve];
     TRY(polygon_edge_add(p, arc, from));
-    TRY(outline_curve_corners(corner, p->context, c, c->cut[start->cut], p->places + 8));
+    TRY(outline_curve_corners(corner, p->context, c, c->cut[start->cut], POINT_PLACES));
     TRY(polygon_edge_start(p, k, corner));
     polygon_edge *e = &p->edge[k];
     e->curved = !outline_is_straight(p->o, &p->o->curve[piece_of(p, e)->curve]);
@@ -83,7 +83,7 @@ static graze_status halve_edge(outline_polygon *p, size_t k) {
     LOCAL_VEC(fmpq, point, 2);
     LOCAL(fmpq, s);
     const outline_piece *piece = piece_of(p, &p->edge[k]);
-    TRY(polygon_edge_add(p, p->edge[k].arc, p->o->point_count + p->count));
+    TRY(polygon_edge_add(p, p->edge[k].arc, ~p->count)); /* no point's number */
     polygon_edge *e = &p->edge[k], *half = &p->edge[p->count - 1];
     fmpz_sub(fmpq_numref(s), e->where.high, e->where.low);
     if (!e->curved || fmpz_bits(fmpq_numref(s)) + p->places + WHERE_PLACES < e->where.exponent + 8)

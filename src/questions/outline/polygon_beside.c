@@ -159,8 +159,8 @@ static graze_status shift_rings(shifting *w) {
     for (size_t k = 0; k < p->count; k++) {
         shift_record *begin;
         TRY(add_record(&begin, w, k));
-        w->wrong |= edge_distance(p->edge[k].at, near, p->edge[k].arc) > reach ||
-                    edge_distance(p->edge[p->edge[k].next].at, near, p->edge[k].arc) > reach;
+        w->wrong |= fmax(edge_distance(p->edge[k].at, near, p->edge[k].arc),
+                         edge_distance(p->edge[p->edge[k].next].at, near, p->edge[k].arc)) > reach;
     }
     return GRAZE_OK;
 }
@@ -276,9 +276,9 @@ static graze_status check_clear(void *state, size_t edge, size_t other) {
     const outline_polygon *p = w->out, *q = w->near;
     const slong *a = p->edge[edge].at, *b = p->edge[p->edge[edge].next].at;
     const slong *c = q->edge[other].at, *d = q->edge[q->edge[other].next].at;
-    double least = q->distance + DISTANCE_ERROR;
-    w->wrong |= edge_distance(a, q, other) < least || edge_distance(b, q, other) < least ||
-                edge_distance(c, p, edge) < least || edge_distance(d, p, edge) < least ||
+    double apart = fmin(fmin(edge_distance(a, q, other), edge_distance(b, q, other)),
+                        fmin(edge_distance(c, p, edge), edge_distance(d, p, edge)));
+    w->wrong |= apart < q->distance + DISTANCE_ERROR ||
                 (polygon_turn(a, b, c) * polygon_turn(a, b, d) <= 0 &&
                  polygon_turn(c, d, a) * polygon_turn(c, d, b) <= 0);
     return GRAZE_OK;
@@ -313,8 +313,9 @@ static graze_status attempt_beside(shifting *w) {
         return GRAZE_OK;
     TRY(polygon_meetings(&clear, out));
     TRY(polygon_pairs(out, w->near, (slong)w->near->distance, check_clear, w));
-    w->wrong |=
-        !clear || !all_around(out, w->near, w->left < 0) || !all_around(w->near, out, w->left > 0);
+    w->wrong |= !clear;
+    w->wrong |= !all_around(out, w->near, w->left < 0);
+    w->wrong |= !all_around(w->near, out, w->left > 0);
     return polygon_nest(out);
 }
 

@@ -122,22 +122,6 @@ static graze_status decide_slants(graze_outline *o, graze_context *context) {
     return GRAZE_OK;
 }
 
-/* Is piece k boundary or a lower part, and the one from a cut of a curve on? */
-static int begins_at(const graze_outline *o, size_t k, size_t curve, size_t cut) {
-    return k < o->piece_count && o->piece[k].curve == curve && o->piece[k].cut == cut &&
-           piece_has_ends(&o->piece[k]);
-}
-
-/* Does such a piece end at a cut? *piece becomes the first piece that is not before the cut. */
-static int ends_piece(size_t *piece, const graze_outline *o, size_t curve, size_t cut) {
-    while (*piece < o->piece_count &&
-           (o->piece[*piece].curve < curve ||
-            (o->piece[*piece].curve == curve && o->piece[*piece].cut < cut)))
-        ++*piece;
-    return begins_at(o, *piece, curve, cut) ||
-           (*piece > 0 && cut > 0 && begins_at(o, *piece - 1, curve, cut - 1));
-}
-
 /* Is a cut's place, which may be rational, a point at which boundary or lower pieces end? */
 static graze_status is_point(int *out, graze_outline *o, graze_context *context, size_t curve,
                              size_t cut) {
@@ -191,9 +175,12 @@ static graze_status decide_cut(graze_outline *o, graze_context *context, size_t 
 
 graze_status outline_spots(graze_outline *o, graze_context *context) {
     TRY(decide_slants(o, context));
-    for (size_t k = 0, piece = 0; k < o->curve_count; k++)
+    size_t next = 0; /* points are in the order of curves and their cuts */
+    for (size_t k = 0; k < o->curve_count; k++)
         for (size_t cut = 0; cut < o->curve[k].cut_count; cut++)
-            if (!ends_piece(&piece, o, k, cut))
+            if (next < o->point_count && o->point[next].curve == k && o->point[next].cut == cut)
+                next++;
+            else
                 TRY(decide_cut(o, context, k, cut));
     return GRAZE_OK;
 }
