@@ -44,7 +44,7 @@ static known random_known(void) {
     }
 }
 
-static void unit_interval(dyadic_interval *unit) {
+static void set_unit(dyadic_interval *unit) {
     dyadic_interval_init(unit);
     dyadic_interval_set_si(unit, 0, 1);
 }
@@ -55,7 +55,7 @@ static void test_known_roots(void **unused) {
     (void)unused;
     random_start(20261121);
     dyadic_interval unit;
-    unit_interval(&unit);
+    set_unit(&unit);
     for (int round = 0; round < 400; round++) {
         known root[5];
         int n = (int)draw_below(5) + 1, kept = 0;
@@ -260,7 +260,7 @@ static void test_counts_against_sturm(void **unused) {
     (void)unused;
     random_start(7);
     dyadic_interval unit;
-    unit_interval(&unit);
+    set_unit(&unit);
     slong total = 0;
     for (int round = 0; round < 2000; round++) {
         fmpz_poly_t p;
@@ -293,7 +293,7 @@ static void test_counts_against_sturm(void **unused) {
 static void test_near_miss(void **unused) {
     (void)unused;
     dyadic_interval unit;
-    unit_interval(&unit);
+    set_unit(&unit);
     fmpz_poly_t p, q;
     fmpz_poly_init(p);
     fmpz_poly_init(q);
@@ -356,7 +356,7 @@ static void test_ends(void **unused) {
 static void test_between(void **unused) {
     (void)unused;
     dyadic_interval unit;
-    unit_interval(&unit);
+    set_unit(&unit);
     fmpz_poly_t p;
     fmpz_poly_init(p);
     fmpz_poly_set_str(p, "5  1 0 -5 0 6"); /* (2x^2 - 1)(3x^2 - 1) */
