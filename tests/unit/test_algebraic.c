@@ -44,18 +44,11 @@ static known random_known(void) {
     }
 }
 
-static void set_unit(dyadic_interval *unit) {
-    dyadic_interval_init(unit);
-    dyadic_interval_set_si(unit, 0, 1);
-}
-
 /* Products of known factors with random multiplicities: the roots come out each once and in order,
  * and each vanishes on its own factor and on no other one's. */
 static void test_known_roots(void **unused) {
     (void)unused;
     random_start(20261121);
-    dyadic_interval unit;
-    set_unit(&unit);
     for (int round = 0; round < 400; round++) {
         known root[5];
         int n = (int)draw_below(5) + 1, kept = 0;
@@ -82,7 +75,7 @@ static void test_known_roots(void **unused) {
         }
         algebraic_list list;
         algebraic_list_init(&list);
-        append_roots(&list, p, &unit);
+        append_roots(&list, p, &unit_interval);
         if ((int)list.count != kept) {
             fmpz_poly_print_pretty(p, "x");
             fail_msg(": %zu roots instead of %d", list.count, kept);
@@ -99,7 +92,6 @@ static void test_known_roots(void **unused) {
         fmpz_poly_clear(p);
         fmpz_poly_clear(factor);
     }
-    dyadic_interval_clear(&unit);
 }
 
 /* Whether a known number is in [low / 2^e, high / 2^e], by squares. */
@@ -259,8 +251,6 @@ static slong count_by_sturm(const fmpz_poly_t p) {
 static void test_counts_against_sturm(void **unused) {
     (void)unused;
     random_start(7);
-    dyadic_interval unit;
-    set_unit(&unit);
     slong total = 0;
     for (int round = 0; round < 2000; round++) {
         fmpz_poly_t p;
@@ -274,7 +264,7 @@ static void test_counts_against_sturm(void **unused) {
         }
         algebraic_list list;
         algebraic_list_init(&list);
-        append_roots(&list, p, &unit);
+        append_roots(&list, p, &unit_interval);
         total += (slong)list.count;
         if ((slong)list.count != count_by_sturm(p)) {
             fmpz_poly_print_pretty(p, "x");
@@ -286,14 +276,11 @@ static void test_counts_against_sturm(void **unused) {
         fmpz_poly_clear(p);
     }
     assert_true(total > 500);
-    dyadic_interval_clear(&unit);
 }
 
 /* 2 x^2 - 1 and the same polynomial moved by 2^-300: roots no double tells apart. */
 static void test_near_miss(void **unused) {
     (void)unused;
-    dyadic_interval unit;
-    set_unit(&unit);
     fmpz_poly_t p, q;
     fmpz_poly_init(p);
     fmpz_poly_init(q);
@@ -307,8 +294,8 @@ static void test_near_miss(void **unused) {
         fmpz_sub_si(q->coeffs, q->coeffs, sign);
         algebraic_list list;
         algebraic_list_init(&list);
-        append_roots(&list, p, &unit);
-        append_roots(&list, q, &unit);
+        append_roots(&list, p, &unit_interval);
+        append_roots(&list, q, &unit_interval);
         assert_int_equal(list.count, 2);
         /* q = 2^300 p - sign: where p vanishes q has the sign -sign, and its root lies on the side
          * sign. */
@@ -319,7 +306,6 @@ static void test_near_miss(void **unused) {
     }
     fmpz_poly_clear(p);
     fmpz_poly_clear(q);
-    dyadic_interval_clear(&unit);
 }
 
 /* Roots exactly at both ends of a window and in its middle, of multiplicity two. */
@@ -355,14 +341,12 @@ static void test_ends(void **unused) {
 /* Between two numbers there is a third, also when one or both are irrational. */
 static void test_between(void **unused) {
     (void)unused;
-    dyadic_interval unit;
-    set_unit(&unit);
     fmpz_poly_t p;
     fmpz_poly_init(p);
     fmpz_poly_set_str(p, "5  1 0 -5 0 6"); /* (2x^2 - 1)(3x^2 - 1) */
     algebraic_list list;
     algebraic_list_init(&list);
-    append_roots(&list, p, &unit);
+    append_roots(&list, p, &unit_interval);
     assert_int_equal(list.count, 2);
     algebraic middle;
     algebraic_init(&middle);
@@ -372,7 +356,6 @@ static void test_between(void **unused) {
     algebraic_clear(&middle);
     algebraic_list_clear(&list);
     fmpz_poly_clear(p);
-    dyadic_interval_clear(&unit);
 }
 
 /* No part is guessed for constants, for high degrees, or for long ends; any other guess lies in the

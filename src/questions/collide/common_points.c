@@ -27,6 +27,15 @@ void simplex_edge(uint32_t out[2], const graze_solid *solid, uint32_t simplex, i
     out[1] = end[0] < end[1] ? end[1] : end[0];
 }
 
+unsigned sides_around(int d, unsigned corners) {
+    unsigned sides = 0;
+    for (int k = 0; k < d; k++) {
+        unsigned side = d == 3 ? 1u << k | 1u << (k + 1) % 3 : 1u << k;
+        sides |= corners & ~side ? 0 : 1u << k;
+    }
+    return sides;
+}
+
 /* Set the signs of a simplex's corners at the other simplex's plane; returns 0 if all corners are
  * strictly on one side of that plane. */
 static int look_at_plane(finder *f, pair_side side) {

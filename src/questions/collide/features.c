@@ -257,15 +257,6 @@ static int foot_sign(placing *p, const stationary *s, pair_side side, int corner
     return side == SIDE_MOVING ? sign : -sign;
 }
 
-unsigned sides_around(int d, unsigned corners) {
-    unsigned sides = 0;
-    for (int k = 0; k < d; k++) {
-        unsigned side = d == 3 ? 1u << k | 1u << (k + 1) % 3 : 1u << k;
-        sides |= corners & ~side ? 0 : 1u << k;
-    }
-    return sides;
-}
-
 /* Are there stationary points in both closed faces at the placing's time? The vectors must be
  * independent then. */
 static int stationary_inside(unsigned zero[2], placing *p, const stationary *s) {
