@@ -169,6 +169,13 @@ def forms(graze, checks):
     checks.equal(out.stdout.splitlines()[:4], ["components: 1, of the interior 1", "holes: 0", "Euler characteristic: 1",
                                                "boundary: 5 arcs, 5 vertices, 1 rings"], "text")
     checks.equal(out.stdout.splitlines()[-1], "seams: 0 arcs, 0 points", "text")
+    # Three quarters about a far point, and back: four sides of the first square and the last, of both circles an arc of each quarter, which other
+    # curves cut
+    turned = [{}, {"matrix": [["0", "-1", "0"], ["1", "0", "0"]]}, {"matrix": [["-1", "0", "0"], ["0", "-1", "0"]]}]
+    halves = "t", "t - 1", "t - 2", "4 - t", "5 - t", "6 - t"
+    ways = [{"compose": [m or along("0", "0"), {"rotate": {"tan_half": u}}]} for m, u in zip(turned + turned[::-1], halves)]
+    far = graze.call("outline", graze.write("far.wkt", box(3, 1, 2)), graze.write("far.json", motion(*ways)))
+    checks.holds("boundary: 10 arcs, 10 vertices, 1 rings\n" in far.stdout, "arcs about a far point", far.stdout, far.stderr)
     with open(table, encoding="utf-8") as file:
         lines = [line for line in file.read().splitlines() if line[0] != "#" or "complete" in line]
     checks.equal((lines[0].split(",")[:3], len(lines), lines[-1]), (["arc", "ring", "from_x"], 7, "# complete 5"), "table")
