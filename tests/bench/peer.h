@@ -1,4 +1,4 @@
-/* What the programs share against which Graze is measured: CPU time, raw doubles, counted hits.
+/* Shared by the programs that Graze is measured against: CPU time, raw doubles, counted hits.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TESTS_BENCH_PEER_H
 #define TESTS_BENCH_PEER_H
