@@ -1,5 +1,6 @@
 /* Location in a tetrahedron (input/solid/solid.h) against the signs of four determinants, at points
- * whose ray passes an edge or a corner, hits it, or misses it by about as much as doubles can tell.
+ * whose ray passes an edge or a corner, hits it, or misses it by about as much as doubles can tell;
+ * and its box.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The second method knows no ray: x lies in the tetrahedron iff putting it in the place of a vertex
@@ -118,6 +119,23 @@ static void check_point(const graze_solid *solid, const fmpq *vertex, const fmpq
     assert_int_equal(got, want);
 }
 
+/* The box has no vertex beyond it and one on each side. */
+static void check_box(const graze_solid *solid, const fmpq *vertex) {
+    fmpq *low = _fmpq_vec_init(6), *high = low + 3;
+    solid_box(low, high, solid);
+    for (int i = 0; i < 3; i++) {
+        int lowest = 0, highest = 0;
+        for (int k = 0; k < 4; k++) {
+            assert_true(fmpq_cmp(vertex + 3 * k + i, low + i) >= 0);
+            assert_true(fmpq_cmp(vertex + 3 * k + i, high + i) <= 0);
+            lowest += fmpq_equal(vertex + 3 * k + i, low + i);
+            highest += fmpq_equal(vertex + 3 * k + i, high + i);
+        }
+        assert_true(lowest && highest);
+    }
+    _fmpq_vec_clear(low, 6);
+}
+
 static void tetrahedra(void **state) {
     (void)state;
     size_t met[3] = {0, 0, 0};
@@ -130,6 +148,7 @@ static void tetrahedra(void **state) {
         if (whole == 0)
             continue;
         graze_solid *solid = make_solid(vertex, whole);
+        check_box(solid, vertex);
         for (int n = 0; n < POINTS; n++) {
             draw_point(x, vertex);
             check_point(solid, vertex, x);
