@@ -200,7 +200,8 @@ static void check_memory(graze_context *context, const uint8_t *data, size_t siz
             width += *c == ',';
         for (char *at = strtok(rest, ",\n"); at && count < MOST; at = strtok(NULL, ",\n"))
             texts[count++] = at;
-        if (count >= width)
+        /* In names a comment, or a second line, is a wrong use. */
+        if (count >= width && !strpbrk(text, "#\r"))
             check_rows(context, text, texts, width, count / width);
     }
     free(text);
