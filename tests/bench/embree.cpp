@@ -96,13 +96,5 @@ void serve(const char *path) {
 } // namespace
 
 int main(int count, char **arguments) {
-    if (count != 2)
-        return 2;
-    try {
-        serve(arguments[1]);
-    } catch (const std::exception &error) {
-        std::fprintf(stderr, "embree: %s\n", error.what());
-        return 1;
-    }
-    return 0;
+    return peer_main(count, arguments, serve);
 }

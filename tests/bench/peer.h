@@ -54,4 +54,17 @@ template <typename Hits> void count_hits(std::istream &command, bool keep, Hits 
     std::printf("seconds=%.9f hit=%zu hits=%zu\n", spent, hit, all);
 }
 
+/* A peer's main: serve(MESH) answers; its exception is told. */
+inline int peer_main(int count, char **arguments, void (*serve)(const char *path)) {
+    if (count != 2)
+        return 2;
+    try {
+        serve(arguments[1]);
+    } catch (const std::exception &error) {
+        std::fprintf(stderr, "%s: %s\n", arguments[0], error.what());
+        return 1;
+    }
+    return 0;
+}
+
 #endif
