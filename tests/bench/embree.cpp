@@ -37,6 +37,8 @@ size_t read_mesh(RTCGeometry mesh, const char *path) {
     std::string magic;
     size_t vertices = 0, faces = 0, edges = 0, corners = 3;
     file >> magic >> vertices >> faces >> edges;
+    if (!file)
+        throw std::runtime_error(std::string(path) + ": cannot be read");
     float *point = buffer<float>(mesh, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, vertices);
     for (size_t k = 0; k < 3 * vertices; k++)
         file >> point[k];
