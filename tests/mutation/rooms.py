@@ -26,7 +26,7 @@ ROOMS = {
     "input/solid": ["unit/test_locate", "unit/test_winding", "unit/test_forms", "unit/test_locate_cells", "unit/test_slabs", "exact cases/cases",
                     "exact agree/near", "exact examples/examples", "api/test_writing", "api/test_handles", "agree/laws"],
     "input/convert": ["motioncmd/motion", "solid/tools", "motioncmd/poses", "motioncmd/gcode", "api/test_writing", "refuse/run writing gcode motion motion-limits"],
-    "input/planar": ["curved/flat", "refuse/run flat"],
+    "input/planar": ["curved/flat", "refuse/run curved"],
     "input/scad": ["curved/scad", "refuse/run scad"],
     "input/mend": ["mend/mend", "refuse/run convert"],
     "input/delimited": ["unit/test_stream", "inputs/forms", "inputs/columns", "refuse/run points", "motioncmd/poses"],
